@@ -1,6 +1,8 @@
 use std::ops::Range;
 
-use ancf_solver::equations::{Level, Local, LocalMatrix, LocalStep, State, Term, Weights, discrete_residual};
+use ancf_solver::equations::{
+    Inadmissibility, Level, Local, LocalMatrix, LocalStep, State, Term, Weights, discrete_residual,
+};
 use nalgebra::Vector3;
 
 use super::coincidence::Wrench;
@@ -167,8 +169,9 @@ impl Term for HingeAngle {
         relative_driven_rotation(to.q[THETA] - from.q[THETA])
     }
 
-    fn is_admissible(&self, at: &Local<'_>) -> bool {
-        self.along(at) > 0.0
+    fn inadmissibility(&self, at: &Local<'_>) -> Option<Inadmissibility> {
+        let is_admissible = self.along(at) > 0.0;
+        (!is_admissible).then_some(Inadmissibility::HalfTurn)
     }
 
     fn constraints(&self, at: &Local<'_>, level: Level, phi: &mut [f64]) {

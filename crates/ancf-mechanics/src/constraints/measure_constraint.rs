@@ -1,8 +1,8 @@
 use std::ops::Range;
 
 use ancf_solver::equations::{
-    LOCAL, Level, Local, LocalMatrix, LocalStep, State, Term, Weights, discrete_residual, middle_residual,
-    quadratic_constraints,
+    Inadmissibility, LOCAL, Level, Local, LocalMatrix, LocalStep, State, Term, Weights, discrete_residual,
+    middle_residual, quadratic_constraints,
 };
 
 use super::bilinear_measure::BilinearMeasure;
@@ -128,8 +128,10 @@ impl Term for MeasureConstraint {
         };
     }
 
-    fn is_admissible(&self, at: &Local<'_>) -> bool {
-        self.positive.as_ref().is_none_or(|measure| measure.reference() + measure.change(at.q) > 0.0)
+    fn inadmissibility(&self, at: &Local<'_>) -> Option<Inadmissibility> {
+        let is_admissible =
+            self.positive.as_ref().is_none_or(|measure| measure.reference() + measure.change(at.q) > 0.0);
+        (!is_admissible).then_some(Inadmissibility::HalfTurn)
     }
 
     fn drive(&self, t: f64, rates: &mut [f64], accelerations: &mut [f64]) {

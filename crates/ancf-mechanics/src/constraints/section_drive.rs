@@ -1,6 +1,6 @@
 use std::ops::Range;
 
-use ancf_solver::equations::{Level, Local, LocalMatrix, State, Term, Weights};
+use ancf_solver::equations::{Inadmissibility, Level, Local, LocalMatrix, State, Term, Weights};
 use nalgebra::Vector3;
 
 use super::coincidence::Wrench;
@@ -179,10 +179,11 @@ impl Term for SectionDrive {
         (0..3).for_each(|k| phi[k] += row[k]);
     }
 
-    fn is_admissible(&self, at: &Local<'_>) -> bool {
+    fn inadmissibility(&self, at: &Local<'_>) -> Option<Inadmissibility> {
         let ([x, y, z], [w_y, w_z]) = (self.now(at).values, self.frame.weights());
         let [d, e] = self.frame.directors().each_ref().map(|d| d.reference() + d.sum(at.q));
-        x.dot(&d.cross(&e)) > 0.0 && w_y * y.dot(&d) + w_z * z.dot(&e) > 0.0
+        let is_admissible = x.dot(&d.cross(&e)) > 0.0 && w_y * y.dot(&d) + w_z * z.dot(&e) > 0.0;
+        (!is_admissible).then_some(Inadmissibility::HalfTurn)
     }
 
     /// The equations are linear in the coordinates.

@@ -1,7 +1,8 @@
 use std::ops::Range;
 
 use ancf_solver::equations::{
-    Level, Local, LocalMatrix, LocalStep, State, Term, Weights, discrete_residual, middle_residual,
+    Inadmissibility, Level, Local, LocalMatrix, LocalStep, State, Term, Weights, discrete_residual,
+    middle_residual,
 };
 use nalgebra::Vector3;
 
@@ -191,9 +192,10 @@ impl Term for SlideConstraint {
         (0..3).for_each(|k| phi[k] += row[k]);
     }
 
-    fn is_admissible(&self, at: &Local<'_>) -> bool {
+    fn inadmissibility(&self, at: &Local<'_>) -> Option<Inadmissibility> {
         let (s, span) = (self.start + at.q[S], self.axis.span());
         let slack = 1e-9 * (span.end - span.start);
-        !(self.ends[0] && s < span.start - slack || self.ends[1] && s > span.end + slack)
+        let is_admissible = !(self.ends[0] && s < span.start - slack || self.ends[1] && s > span.end + slack);
+        (!is_admissible).then_some(Inadmissibility::SliderEnd)
     }
 }

@@ -1,6 +1,8 @@
 use std::ops::Range;
 
-use ancf_solver::equations::{Level, Local, LocalMatrix, LocalStep, State, Term, Weights, discrete_residual};
+use ancf_solver::equations::{
+    Inadmissibility, Level, Local, LocalMatrix, LocalStep, State, Term, Weights, discrete_residual,
+};
 
 use super::coincidence::Wrench;
 use super::hinge_angle::HingeAngle;
@@ -87,8 +89,9 @@ impl Term for TwistAngle {
         self.parts[0].rotation(from, to)
     }
 
-    fn is_admissible(&self, at: &Local<'_>) -> bool {
-        self.parts.iter().map(|part| part.along(at)).sum::<f64>() > 0.0
+    fn inadmissibility(&self, at: &Local<'_>) -> Option<Inadmissibility> {
+        let is_admissible = self.parts.iter().map(|part| part.along(at)).sum::<f64>() > 0.0;
+        (!is_admissible).then_some(Inadmissibility::HalfTurn)
     }
 
     fn constraints(&self, at: &Local<'_>, level: Level, phi: &mut [f64]) {

@@ -1,4 +1,6 @@
-use ancf_solver::equations::{Energy, LOCAL, Local, LocalMatrix, LocalStep, State, Term, Weights};
+use ancf_solver::equations::{
+    Energy, Inadmissibility, LOCAL, Local, LocalMatrix, LocalStep, State, Term, Weights,
+};
 use nalgebra::{SMatrix, SVector, Vector3, Vector6};
 use num_dual::DualSVec64;
 
@@ -230,9 +232,11 @@ impl Term for BeamContact {
 
     /// Requires a distance of more than half the sum of the radii. At smaller distances the force is close to its
     /// reversal.
-    fn is_admissible(&self, at: &Local<'_>) -> bool {
+    fn inadmissibility(&self, at: &Local<'_>) -> Option<Inadmissibility> {
         let contact_point = self.contact_point(at.q);
-        contact_point.is_none_or(|(_, [d, ..])| d.norm() > SMALLEST_DISTANCE * self.radius)
+        let is_admissible =
+            contact_point.is_none_or(|(_, [d, ..])| d.norm() > SMALLEST_DISTANCE * self.radius);
+        (!is_admissible).then_some(Inadmissibility::PressedThrough)
     }
 
     /// The normal force does the work of the potential between both ends. Damping and friction are those of the middle.

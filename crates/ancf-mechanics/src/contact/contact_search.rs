@@ -171,7 +171,7 @@ impl BeamContacts {
         let farthest = all.map(|point| (point.value(to) - point.value(from)).norm()).fold(0.0, f64::max);
         let smallest = self.tubes.iter().map(|tube| tube.radius).fold(f64::INFINITY, f64::min);
         let count = (farthest / (SPACING * smallest)).ceil();
-        // Terms reject a small distance at the end ([`Term::is_admissible`]).
+        // Terms reject a small distance at the end ([`Term::inadmissibility`]).
         if count <= 1.0 {
             return None;
         }

@@ -1,7 +1,9 @@
 use std::marker::PhantomData;
 use std::sync::Arc;
 
-use ancf_solver::equations::{Energy, Local, LocalMatrix, LocalStep, Term, Weights, velocity_forces};
+use ancf_solver::equations::{
+    Energy, Inadmissibility, Local, LocalMatrix, LocalStep, Term, Weights, velocity_forces,
+};
 use nalgebra::{Matrix3, Vector3};
 
 use super::station::{BeamStation, RelativeVectors, StrainEnergy};
@@ -237,12 +239,14 @@ impl<const N: usize, S: Interpolation<N> + Send + Sync> Term for BeamElement<N, 
     }
 
     /// Requires det J > 0 on the axis. St. Venant-Kirchhoff energy also has equilibria with inverted elements.
-    fn is_admissible(&self, at: &Local<'_>) -> bool {
+    fn inadmissibility(&self, at: &Local<'_>) -> Option<Inadmissibility> {
         let q = RelativeVectors::new::<S>(&vectors(at.q));
-        self.profile
+        let is_admissible = self
+            .profile
             .stations
             .iter()
-            .all(|s| s.is_admissible(&s.reference(&self.frame), &s.directors::<S>(&q)))
+            .all(|s| s.is_admissible(&s.reference(&self.frame), &s.directors::<S>(&q)));
+        (!is_admissible).then_some(Inadmissibility::InvertedElement)
     }
 
     fn rotation(&self, from: &Local<'_>, to: &Local<'_>) -> f64 {

@@ -1,6 +1,8 @@
 use std::sync::Arc;
 
-use ancf_solver::equations::{Energy, Local, LocalMatrix, LocalStep, Term, Weights, velocity_forces};
+use ancf_solver::equations::{
+    Energy, Inadmissibility, Local, LocalMatrix, LocalStep, Term, Weights, velocity_forces,
+};
 use nalgebra::{Matrix3, Vector3};
 
 use super::beam::add_blocks;
@@ -240,10 +242,11 @@ impl Term for Cable12 {
 
     /// Requires |r′| > 0.01 at the quadrature points. A line cannot be inverted, but its strains are singular at r′ =
     /// 0.
-    fn is_admissible(&self, at: &Local<'_>) -> bool {
+    fn inadmissibility(&self, at: &Local<'_>) -> Option<Inadmissibility> {
         let (profile, q) = (&*self.profile, vectors(at.q));
         let mut stations = profile.axial().iter().chain(profile.bending());
-        stations.all(|station| (self.direction + station.first(&q)).norm() > CRUSHED)
+        let is_admissible = stations.all(|station| (self.direction + station.first(&q)).norm() > CRUSHED);
+        (!is_admissible).then_some(Inadmissibility::InvertedElement)
     }
 
     fn damping_forces(&self, at: &Local<'_>, r: &mut [f64]) {

@@ -1,4 +1,4 @@
-use ancf_solver::equations::{Energy, Local, LocalMatrix, State, Term, Weights};
+use ancf_solver::equations::{Energy, Inadmissibility, Local, LocalMatrix, State, Term, Weights};
 use nalgebra::{Matrix3, Matrix4, SymmetricEigen, Vector3};
 
 use crate::constraints::ConstantAngle;
@@ -200,9 +200,11 @@ impl Term for InertiaTerm {
     }
 
     /// The rigidity constraints also hold for the mirror image of the body, to which the iteration of a large step may converge.
-    fn is_admissible(&self, at: &Local<'_>) -> bool {
+    fn inadmissibility(&self, at: &Local<'_>) -> Option<Inadmissibility> {
         let vectors = self.coordinates.len() / 3;
-        vectors < 4 || director(at.q, 1).dot(&director(at.q, 2).cross(&director(at.q, 3))) > 0.0
+        let is_admissible =
+            vectors < 4 || director(at.q, 1).dot(&director(at.q, 2).cross(&director(at.q, 3))) > 0.0;
+        (!is_admissible).then_some(Inadmissibility::InvertedBody)
     }
 
     fn rotation(&self, from: &Local<'_>, to: &Local<'_>) -> f64 {

@@ -1,5 +1,5 @@
 use ancf_solver::equations::{
-    Energy, LOCAL, Local, LocalMatrix, LocalStep, State, Term, Weights, correct_work,
+    Energy, Inadmissibility, LOCAL, Local, LocalMatrix, LocalStep, State, Term, Weights, correct_work,
 };
 use nalgebra::{Matrix3, Vector3};
 
@@ -185,9 +185,10 @@ impl Term for Strut {
         self.distance_vector.add_curvature(at.q, unit * force, k);
     }
 
-    fn is_admissible(&self, at: &Local<'_>) -> bool {
-        self.distance(&self.distance_vector, at.q).length
-            > COINCIDENT * self.distance_vector.reference().norm()
+    fn inadmissibility(&self, at: &Local<'_>) -> Option<Inadmissibility> {
+        let is_admissible = self.distance(&self.distance_vector, at.q).length
+            > COINCIDENT * self.distance_vector.reference().norm();
+        (!is_admissible).then_some(Inadmissibility::CoincidentEnds)
     }
 
     fn energy(&self, at: &Local<'_>) -> Energy {

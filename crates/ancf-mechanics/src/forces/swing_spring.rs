@@ -1,5 +1,6 @@
 use ancf_solver::equations::{
-    Energy, LOCAL, Local, LocalMatrix, LocalStep, State, Term, Weights, correct_work, middle_residual,
+    Energy, Inadmissibility, LOCAL, Local, LocalMatrix, LocalStep, State, Term, Weights, correct_work,
+    middle_residual,
 };
 
 use crate::constraints::{BilinearMeasure, Wrench, add_outer};
@@ -253,8 +254,9 @@ impl Term for SwingSpring {
         }
     }
 
-    fn is_admissible(&self, at: &Local<'_>) -> bool {
-        2.0 + self.measures[0].change(at.q) > HALF_TURN
+    fn inadmissibility(&self, at: &Local<'_>) -> Option<Inadmissibility> {
+        let is_admissible = 2.0 + self.measures[0].change(at.q) > HALF_TURN;
+        (!is_admissible).then_some(Inadmissibility::HalfTurn)
     }
 
     fn energy(&self, at: &Local<'_>) -> Energy {

@@ -289,8 +289,8 @@ impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
             }
         };
         let [auxiliary, next] = &mut self.attempted;
-        if let Some(worst) = self.eom.inadmissible(&self.motion.state) {
-            return Err(SolveError::after(done, to, SolveFailure::Inverted, worst));
+        if let Some((worst, reason)) = self.eom.inadmissible(&self.motion.state) {
+            return Err(SolveError::after(done, to, SolveFailure::Inadmissible(reason), worst));
         }
         if let Some(angle) = self.motion.ambiguous_angle(&self.before, self.eom.counted_angles()) {
             return Err(SolveError::after(done, to, SolveFailure::AmbiguousTurns, angle));

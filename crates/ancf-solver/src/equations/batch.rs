@@ -49,7 +49,7 @@ pub trait Batch: Send + Sync {
     fn energy(&self, at: &LocalLanes<'_>) -> Energy;
 
     /// Returns the first term that does not admit this state
-    /// ([`Term::is_admissible`](super::term::Term::is_admissible)).
+    /// ([`Term::inadmissibility`](super::term::Term::inadmissibility)).
     fn inadmissible(&self, at: &LocalLanes<'_>) -> Option<usize>;
 
     /// True if the terms have damping forces.

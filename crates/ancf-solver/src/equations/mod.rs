@@ -19,7 +19,7 @@ pub use dependence::{Dependence, REDUNDANCY_TOLERANCE, all_constraint_rows, cons
 pub use energy::{Energy, Level, Power};
 pub use motion_equations::EquationsOfMotion;
 pub use scatter::Scatter;
-pub use state::{State, StepStates, Weights};
+pub use state::{Inadmissibility, State, StepStates, Weights};
 pub use stiffness_products::StiffnessProducts;
 pub use system::System;
 pub use term::{

@@ -2,7 +2,7 @@ use nalgebra::DVector;
 
 use super::contact_pairs::ActivePair;
 use super::energy::{Energy, Level, Power};
-use super::state::{State, StepStates, Weights};
+use super::state::{Inadmissibility, State, StepStates, Weights};
 use super::stiffness_products::StiffnessProducts;
 use super::term_sums::Rotation;
 use crate::sparse::{Pattern, SparseMatrix};
@@ -93,10 +93,10 @@ pub trait EquationsOfMotion {
     /// [`Term::stress_stiffness`]: super::term::Term::stress_stiffness
     fn stress_stiffness(&self, s: &State, by: &State, k: &mut SparseMatrix);
 
-    /// Returns a coordinate of a term that does not admit this state, if there is one.
+    /// Returns a coordinate of a term that does not admit this state, and the reason, if there is one.
     ///
     /// The equations of motion also have inadmissible solutions.
-    fn inadmissible(&self, _s: &State) -> Option<usize> {
+    fn inadmissible(&self, _s: &State) -> Option<(usize, Inadmissibility)> {
         None
     }
 

@@ -1,4 +1,5 @@
 use serde::{Deserialize, Serialize};
+use thiserror::Error;
 
 /// State of a system at one time.
 ///
@@ -129,4 +130,27 @@ impl Weights {
     pub const fn of_middle(self) -> Self {
         Self { q: 0.5 * self.q, v: 0.5 * self.v, a: self.a }
     }
+}
+
+/// Reason why a state is inadmissible. The equations of motion also have inadmissible solutions.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+pub enum Inadmissibility {
+    /// det J is not positive, or the axis of a cable is crushed.
+    #[error("an element is inverted")]
+    InvertedElement,
+    /// The directors of a rigid body are a left-handed system.
+    #[error("a rigid body is inverted")]
+    InvertedBody,
+    /// The distance of two ends has no direction.
+    #[error("the ends of a spring coincide")]
+    CoincidentEnds,
+    /// A slider is beyond an end of its beam.
+    #[error("a slider leaves its beam")]
+    SliderEnd,
+    /// The equations of a joint also hold half a turn away.
+    #[error("a joint is half a turn from its place")]
+    HalfTurn,
+    /// The axes of bodies in contact intersect.
+    #[error("bodies in contact are pressed through each other")]
+    PressedThrough,
 }

@@ -13,7 +13,7 @@ use super::dependence::redundant_rows;
 use super::energy::{Energy, Level, Power};
 use super::motion_equations::EquationsOfMotion;
 use super::scatter::Scatter;
-use super::state::{State, StepStates, Weights};
+use super::state::{Inadmissibility, State, StepStates, Weights};
 use super::stiffness_products::{StiffnessProducts, stiffness_products};
 use super::term::{LOCAL, Local, LocalMatrix, Term};
 use super::term_sums::{LocalEnds, LocalState, Rotation, largest_rotation, powers, skew_stiffness, unknowns};
@@ -313,18 +313,18 @@ impl EquationsOfMotion for System {
         });
     }
 
-    fn inadmissible(&self, s: &State) -> Option<usize> {
+    fn inadmissible(&self, s: &State) -> Option<(usize, Inadmissibility)> {
         let batched = self.by_rows.find(|batches| {
             let mut lanes = GatheredLanes::EMPTY;
             self.of(batches).find_map(|batched| {
-                let wrong = batched.batch.inadmissible(&lanes.gather(s, batched));
-                wrong.map(|lane| &self.terms[batched.first + lane])
+                let lane = batched.batch.inadmissible(&lanes.gather(s, batched))?;
+                Some(&self.terms[batched.first + lane])
             })
         });
         let mut gathered = LocalState::EMPTY;
-        let mut is_wrong = |term: &&Arc<dyn Term>| !term.is_admissible(&gathered.gather(s, term.as_ref()));
-        let wrong = batched.or_else(|| self.unbatched().find(|term| is_wrong(term)));
-        wrong.and_then(|term| term.coordinates().first().copied())
+        let mut reason = |term: &dyn Term| term.inadmissibility(&gathered.gather(s, term));
+        let mut terms = batched.into_iter().chain(self.unbatched());
+        terms.find_map(|term| Some((*term.coordinates().first()?, reason(term.as_ref())?)))
     }
 
     fn skew_stiffness(&self, s: &State) -> Vec<(usize, usize, f64)> {

@@ -1,7 +1,7 @@
 use std::ops::Range;
 
 use super::energy::{Energy, Level, Power};
-use super::state::Weights;
+use super::state::{Inadmissibility, Weights};
 
 /// Maximum number of unknowns (coordinates and multipliers) of one term. Local arrays are kept on the stack.
 pub const LOCAL: usize = 64;
@@ -190,9 +190,9 @@ pub trait Term: Send + Sync {
         format!("equation {}", k + 1)
     }
 
-    /// Returns true if the state is admissible. Inverted elements and sliders beyond the end of their beam are not.
-    fn is_admissible(&self, _at: &Local<'_>) -> bool {
-        true
+    /// Returns the reason why a state is inadmissible; `None` for an admissible state.
+    fn inadmissibility(&self, _at: &Local<'_>) -> Option<Inadmissibility> {
+        None
     }
 
     /// Visits the lower entries (i, j), i > j, of the skew part of ∂f/∂q. The tangent contains the symmetric part.

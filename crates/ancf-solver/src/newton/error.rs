@@ -1,6 +1,7 @@
 use thiserror::Error;
 
 use super::newton_report::NewtonReport;
+use crate::equations::Inadmissibility;
 
 /// Cause of failure of a Newton iteration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
@@ -18,11 +19,8 @@ pub enum SolveFailure {
     #[error("the iteration stagnated above the rounding error")]
     Stagnated,
     /// A term does not admit the solution.
-    #[error(
-        "the solution is inadmissible: an element or a rigid body is inverted, a slider leaves its beam, the ends of a spring coincide, a joint is \
-         half a turn from its place, or bodies in contact are pressed through each other"
-    )]
-    Inverted,
+    #[error("the solution is inadmissible: {0}")]
+    Inadmissible(Inadmissibility),
     /// The number of turns of a joint angle is ambiguous.
     #[error("the number of turns of a joint angle is ambiguous: its rate changes too much in the step")]
     AmbiguousTurns,

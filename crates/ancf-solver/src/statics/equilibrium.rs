@@ -37,8 +37,8 @@ impl Equilibrium {
             let repeated = newton.solve_with(update, eom, s, Weights::STIFFNESS)?;
             report = NewtonReport { iterations: 1 + repeated.iterations, ..repeated };
         }
-        if let Some(worst) = eom.inadmissible(s) {
-            return Err(SolveError::after(report, s.t, SolveFailure::Inverted, worst));
+        if let Some((worst, reason)) = eom.inadmissible(s) {
+            return Err(SolveError::after(report, s.t, SolveFailure::Inadmissible(reason), worst));
         }
         let NewtonReport { iterations, residual, increment, floor } = report;
         // With loads without a potential, an indefinite symmetric part does not imply instability.

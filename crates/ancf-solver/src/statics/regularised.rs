@@ -30,6 +30,7 @@ pub fn solve_regularised(
     let weights = Weights { a: rate * rate, ..Weights::STIFFNESS };
     newton.set_stagnation_limit(STAGNATION_LIMIT);
     let report = newton.solve_with(&mut CoordinateUpdate, eom, s, weights)?;
-    eom.inadmissible(s)
-        .map_or(Ok(()), |worst| Err(SolveError::after(report, s.t, SolveFailure::Inverted, worst)))
+    eom.inadmissible(s).map_or(Ok(()), |(worst, reason)| {
+        Err(SolveError::after(report, s.t, SolveFailure::Inadmissible(reason), worst))
+    })
 }

@@ -116,8 +116,8 @@ fn settle(system: &System, newton: &mut Newton, s: &mut State, rate: f64) -> Res
     newton.solve(system, s, Weights { q: 1.0, v: 0.0, a: rate })?;
     match system.inadmissible(s) {
         None => Ok(()),
-        Some(worst) => {
-            let failure = SolveFailure::Inverted;
+        Some((worst, reason)) => {
+            let failure = SolveFailure::Inadmissible(reason);
             Err(SolveError {
                 failure,
                 t: s.t,

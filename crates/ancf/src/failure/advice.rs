@@ -1,6 +1,7 @@
 //! Advice to the user after a failure.
 
 use ancf_solver::eigen::EigenError;
+use ancf_solver::equations::Inadmissibility;
 use ancf_solver::newton::SolveFailure;
 
 use crate::model::{Analysis, Dynamics, Step};
@@ -8,8 +9,24 @@ use crate::model::{Analysis, Dynamics, Step};
 const FOR_SINGULAR: &str = "`ancf check`, which lists redundant joints and unsupported motions; mass for coordinates \
                             without mass";
 const FOR_MEMORY: &str = "fewer elements, or a machine with more memory";
-const FOR_INVERTED: &str = "more elements there and smaller steps; smaller loads on the section; for a slider, a check \
-                            that it does not reach the end of its beam, and for a spring, that its ends do not coincide";
+/// Advice after an inadmissible state.
+const fn for_state(reason: Inadmissibility) -> &'static str {
+    match reason {
+        Inadmissibility::InvertedElement => {
+            "more elements there and smaller steps; smaller loads on the section"
+        }
+        Inadmissibility::InvertedBody | Inadmissibility::HalfTurn => {
+            "smaller steps; ramps instead of jumps of loads and drives"
+        }
+        Inadmissibility::SliderEnd => {
+            "a longer beam, or loads and drives with which the slider remains on it"
+        }
+        Inadmissibility::CoincidentEnds => {
+            "other places of the ends of the spring, since its force has no direction there"
+        }
+        Inadmissibility::PressedThrough => FOR_CROSSED,
+    }
+}
 
 const FOR_CROSSED: &str = "a larger `stiffness` of the contact, or more contact `points` where an obstacle fits between two \
                            points; in statics smaller loads, or \"dynamics\" with damping; in dynamics a smaller step";
@@ -22,7 +39,7 @@ pub(crate) fn advice_for_iteration(failure: SolveFailure, analysis: &Analysis) -
     match (failure, analysis) {
         (SolveFailure::Singular, _) => FOR_SINGULAR.into(),
         (SolveFailure::Memory, _) => FOR_MEMORY.into(),
-        (SolveFailure::Inverted, _) => FOR_INVERTED.into(),
+        (SolveFailure::Inadmissible(reason), _) => for_state(reason).into(),
         (SolveFailure::EnergyMade, _) => FOR_ENERGY.into(),
         (SolveFailure::AmbiguousTurns, _) => FOR_TURNS.into(),
         (SolveFailure::StepTooSmall, _) => {

@@ -84,7 +84,7 @@ fn joints(assembly: &Assembly, from: &State, there: &State, error: &SolveError) 
 
 /// Instability of the last accepted state.
 fn buckling(assembly: &Assembly, from: &State, error: &SolveError) -> Option<FailureCause> {
-    if error.failure == SolveFailure::Inverted || !is_supported(assembly) {
+    if matches!(error.failure, SolveFailure::Inadmissible(_)) || !is_supported(assembly) {
         return None;
     }
     let found = instability(assembly, from)?;

@@ -62,9 +62,12 @@ fn bead_at_the_end_of_the_beam_is_a_failure() {
     }
     let mut series = ancf::record::Series::new();
     let summary = ancf::simulate(&falling, &mut series).unwrap();
-    let ancf::Outcome::Failed { time, at, .. } = &summary.outcome else { panic!("{:?}", summary.outcome) };
+    let ancf::Outcome::Failed { time, reason, at, .. } = &summary.outcome else {
+        panic!("{:?}", summary.outcome)
+    };
     // ½ 5 t² = 3.8.
     assert!((time - 1.233).abs() < 0.01 && at.contains("slide"), "{time}, {at}");
+    assert!(reason.starts_with("the solution is inadmissible: a slider leaves its beam ("), "{reason}");
 }
 
 /// r̈ = θ̇² r with θ = 2 t³, solved by a power series in t.

@@ -56,10 +56,10 @@ struct Chart<'a> {
 impl<'a> Chart<'a> {
     fn new(panel: &'a PlotPanel, style: ChartStyle, height: usize) -> Self {
         let [x, y] = panel.ranges();
-        let y = AxisTicks::around(y, height / 4);
+        let y = AxisTicks::within(y, height / 4);
         let margin = y.labels().iter().map(|(_, text)| text.len()).max().unwrap_or(0) + 1;
         let width = style.width.saturating_sub(margin + 1).max(10);
-        let x = AxisTicks::around(x, width / TICK_COLUMNS);
+        let x = AxisTicks::within(x, width / TICK_COLUMNS);
         let mut chart =
             Self { panel, style, x, y, margin, height, canvas: DotCanvas::new(width, height, false) };
         chart.canvas = DotCanvas::new(width, height, chart.is_braille());

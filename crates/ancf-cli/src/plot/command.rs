@@ -34,6 +34,9 @@ pub struct PlotArguments {
     /// Write a figure into this SVG or PNG file instead of a chart in the terminal.
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
+    /// Title above the charts.
+    #[arg(long, value_name = "TEXT")]
+    title: Option<String>,
     /// First time, load factor or mode number.
     #[arg(long, value_name = "T", allow_hyphen_values = true)]
     from: Option<f64>,
@@ -53,7 +56,7 @@ Examples:
   ancf plot out tip 'root.f*'                   one chart per unit
   ancf plot out tip.y --against tip.x           the path of the tip
   ancf plot out kinetic strain --from 0.5 --to 1
-  ancf plot out tip.y -o tip.png                a figure; also .svg
+  ancf plot out tip.y -o tip.png --title Tip    a figure; also .svg
 
 Curves are interrupted at values that are not finite. Without colours several curves have different
 markers. Exit code 2 for a folder without a run, or an unknown column.";
@@ -90,25 +93,28 @@ impl PlotArguments {
             return Ok(reject(&message));
         }
         match format {
-            Some((file, format)) => return write_figure(&panels, file, format),
-            None => print_output(&chart::text(&panels, chart_style())),
+            Some((file, format)) => return self.write_figure(&panels, file, format),
+            None => {
+                self.title.iter().for_each(|title| print_output(&format!("{title}\n\n")));
+                print_output(&chart::text(&panels, chart_style()));
+            }
         }
         Ok(Ended::Done)
     }
-}
 
-/// Writes the panels as a figure.
-#[cfg(feature = "figures")]
-fn write_figure(panels: &[PlotPanel], file: &Path, format: FigureFormat) -> Result<Ended> {
-    figure_file::write(panels, file, format)?;
-    print_status(&format!("done: {}", file.display()));
-    Ok(Ended::Done)
-}
+    /// Writes the panels as a figure.
+    #[cfg(feature = "figures")]
+    fn write_figure(&self, panels: &[PlotPanel], file: &Path, format: FigureFormat) -> Result<Ended> {
+        figure_file::write(panels, self.title.as_deref(), file, format)?;
+        print_status(&format!("done: {}", file.display()));
+        Ok(Ended::Done)
+    }
 
-/// Rejects the command: this program has no figures.
-#[cfg(not(feature = "figures"))]
-fn write_figure(_: &[PlotPanel], _: &Path, _: FigureFormat) -> Result<Ended> {
-    Ok(crate::terminal::reject_figures())
+    /// Rejects the command: this program has no figures.
+    #[cfg(not(feature = "figures"))]
+    fn write_figure(&self, _: &[PlotPanel], _: &Path, _: FigureFormat) -> Result<Ended> {
+        Ok(crate::terminal::reject_figures())
+    }
 }
 
 /// Returns the chart style of the terminal.

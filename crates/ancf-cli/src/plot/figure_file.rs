@@ -17,8 +17,9 @@ const COLUMNS: usize = 1280;
 ///
 /// # Errors
 /// If the file cannot be written.
-pub fn write(panels: &[PlotPanel], file: &Path, format: FigureFormat) -> Result<()> {
-    let figures = FigurePanels::new(panels.iter().map(figure).collect());
+pub fn write(panels: &[PlotPanel], title: Option<&str>, file: &Path, format: FigureFormat) -> Result<()> {
+    let mut figures = FigurePanels::new(panels.iter().map(figure).collect());
+    figures.title = title.map(str::to_owned);
     let bytes = match format {
         FigureFormat::Svg => figures.svg().into_bytes(),
         FigureFormat::Png => figures.png().context("the figure cannot be drawn")?,

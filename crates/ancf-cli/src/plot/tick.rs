@@ -1,8 +1,9 @@
 //! Ticks of an axis.
 
-/// Ticks of an axis. The first and the last are at its ends.
+/// Ticks of an axis whose ends are those of the data.
 #[derive(Debug)]
 pub struct AxisTicks {
+    range: [f64; 2],
     /// Positions.
     places: Vec<f64>,
     digits: usize,
@@ -10,26 +11,26 @@ pub struct AxisTicks {
 }
 
 impl AxisTicks {
-    /// Creates about `steps` steps of 1, 2 or 5 times a power of ten that enclose a range.
-    pub fn around([lo, hi]: [f64; 2], steps: usize) -> Self {
+    /// Creates about `steps` steps of 1, 2 or 5 times a power of ten within a range.
+    pub fn within([lo, hi]: [f64; 2], steps: usize) -> Self {
         let (lo, hi) = if lo <= hi { (lo, hi) } else { (0.0, 1.0) };
         // A constant, up to rounding, gets a range around it.
         let least = (1e-9 * lo.abs().max(hi.abs())).max(f64::MIN_POSITIVE * 1e30);
         let (lo, hi) = if hi - lo > least { (lo, hi) } else { wider(lo, hi) };
         let step = nice((hi - lo) / steps.max(1) as f64);
-        let (first, last) = ((lo / step + 1e-6).floor(), (hi / step - 1e-6).ceil());
-        let count = (last - first).clamp(1.0, 1000.0) as usize;
-        let places: Vec<f64> = (0..=count).map(|k| (first + k as f64) * step).collect();
-        let most = places.iter().fold(0.0, |most: f64, place| most.max(place.abs()));
+        let (first, last) = ((lo / step - 1e-6).ceil(), (hi / step + 1e-6).floor());
+        let count = (last - first).clamp(0.0, 1000.0) as usize;
+        let places: Vec<f64> = (0..=count).map(|k| ((first + k as f64) * step).clamp(lo, hi)).collect();
+        let most = lo.abs().max(hi.abs());
         let is_scientific = !(1e-3..1e5).contains(&most);
         let scale = if is_scientific { most.log10().floor() } else { 0.0 };
         let digits = (scale - (step * 1.000_001).log10().floor()).clamp(0.0, 15.0) as usize;
-        Self { places, digits, is_scientific }
+        Self { range: [lo, hi], places, digits, is_scientific }
     }
 
     /// Returns both ends.
-    pub fn range(&self) -> [f64; 2] {
-        [self.places[0], self.places[self.places.len() - 1]]
+    pub const fn range(&self) -> [f64; 2] {
+        self.range
     }
 
     /// Returns positions and texts.
@@ -65,19 +66,22 @@ mod tests {
     use super::*;
 
     #[test]
-    fn ticks_are_round_and_enclose() {
+    fn ticks_are_round_numbers_within_the_range() {
         let texts = |lo, hi, steps| {
-            let ticks = AxisTicks::around([lo, hi], steps);
-            assert!(ticks.range()[0] <= lo + 1e-5 * (hi - lo) && hi - 1e-5 * (hi - lo) <= ticks.range()[1]);
+            let ticks = AxisTicks::within([lo, hi], steps);
+            assert_eq!(ticks.range(), [lo, hi]);
+            assert!(ticks.places.iter().all(|place| (lo..=hi).contains(place)));
             ticks.labels().into_iter().map(|(_, text)| text).collect::<Vec<_>>()
         };
         assert_eq!(texts(0.0, 2.0, 4), ["0", "0.5", "1.0", "1.5", "2.0"]);
-        assert_eq!(texts(-0.0041, 0.0, 3), ["-0.006", "-0.004", "-0.002", "0"]);
-        assert_eq!(texts(0.0, 1.9e-4, 2), ["0", "1e-4", "2e-4"]);
-        assert_eq!(texts(5.0, 5.0, 2).len(), 3, "a constant is in the middle");
-        for constant in [0.0, -3e-320, 1e308, 7.3] {
-            let [lo, hi] = AxisTicks::around([constant, constant], 4).range();
+        assert_eq!(texts(0.0, 3.5, 4), ["0", "1", "2", "3"]);
+        assert_eq!(texts(-0.0041, 0.0, 3), ["-0.004", "-0.002", "0"]);
+        assert_eq!(texts(0.0, 1.9e-4, 2), ["0", "1e-4"]);
+        for constant in [0.0, -3e-320, 1e308, 7.3, 5.0] {
+            let ticks = AxisTicks::within([constant, constant], 4);
+            let [lo, hi] = ticks.range();
             assert!(lo < hi && lo <= constant && constant <= hi, "{constant}: {lo} {hi}");
+            assert!(ticks.places.len() > 1, "{constant}");
         }
     }
 }

@@ -2,7 +2,8 @@
 
 use std::fs;
 use std::io;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
+use std::sync::Arc;
 use std::thread;
 use std::time::{Duration, SystemTime};
 
@@ -56,7 +57,7 @@ impl ViewArguments {
                 }
                 stop.stop();
             });
-            let served = server.serve(&LiveFolder(&self.folder));
+            let served = server.serve(Arc::new(LiveFolder(self.folder.clone())));
             stop.stop();
             served
         })?;
@@ -68,13 +69,13 @@ impl ViewArguments {
 const PAUSE: Duration = Duration::from_millis(50);
 
 /// Results in a folder that may be growing.
-struct LiveFolder<'a>(&'a Path);
+struct LiveFolder(PathBuf);
 
-impl SceneSource for LiveFolder<'_> {
+impl SceneSource for LiveFolder {
     /// Returns a hash of sizes and modification times of the files.
     fn version(&self) -> u64 {
         // A killed run changes no file.
-        let mut version = u64::from(Folder::new(self.0).is_busy());
+        let mut version = u64::from(Folder::new(&self.0).is_busy());
         for folder in ["", "states.parquet.parts", "results.parquet.parts"] {
             for entry in fs::read_dir(self.0.join(folder)).into_iter().flatten().flatten() {
                 let Ok(about) = entry.metadata() else { continue };
@@ -90,7 +91,7 @@ impl SceneSource for LiveFolder<'_> {
     }
 
     fn scene(&self) -> io::Result<Vec<u8>> {
-        let results = Results::open(self.0).map_err(io::Error::other)?;
+        let results = Results::open(&self.0).map_err(io::Error::other)?;
         scene_of(&results, true, BUDGET).map_err(|error| io::Error::other(format!("{error:#}")))
     }
 }

@@ -3,19 +3,21 @@
 use std::fs::File;
 use std::path::{Component, Path, PathBuf};
 
-use super::response::{Response, ResponseBody, TEXT};
+use super::reply::TEXT;
 
-/// Response with the file at a path of a request within a folder; 404 if the path is not a regular file in the folder.
-pub(super) fn file(folder: &Path, sent: &str) -> Response {
-    opened(folder, sent).unwrap_or_else(|| Response::status(404))
+/// Open file with its media type.
+pub(super) struct OpenFile {
+    pub(super) kind: &'static str,
+    pub(super) file: File,
+    pub(super) length: u64,
 }
 
-fn opened(folder: &Path, sent: &str) -> Option<Response> {
+/// Opens the file at a path of a request within a folder; `None` if the path is not a regular file in the folder.
+pub(super) fn file(folder: &Path, sent: &str) -> Option<OpenFile> {
     let path = within(folder, &decoded(sent)?)?;
     let file = File::open(&path).ok()?;
     let data = file.metadata().ok().filter(std::fs::Metadata::is_file)?;
-    let body = ResponseBody::File(file, data.len());
-    Some(Response { status: 200, kind: kind(&path), tag: None, body })
+    Some(OpenFile { kind: kind(&path), file, length: data.len() })
 }
 
 /// Decodes the percent-encoding of a path, once.

@@ -1,11 +1,10 @@
 //! HTTP server for the page of a run, on this machine only.
 
+mod connections;
 mod file;
-mod refused;
-mod request;
-mod response;
+mod reply;
+mod scene_cache;
 mod server;
-mod stop_flag;
 
-pub use server::{SceneSource, Server};
-pub use stop_flag::StopFlag;
+pub use scene_cache::SceneSource;
+pub use server::{Server, StopFlag};

@@ -1,36 +1,35 @@
+use std::convert::Infallible;
 use std::io;
-use std::net::{Ipv4Addr, SocketAddr, TcpListener, TcpStream};
-use std::path::PathBuf;
-use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::{Arc, Mutex, PoisonError};
-use std::thread;
+use std::net::{Ipv4Addr, SocketAddr, TcpListener};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::time::Duration;
 
-use sha2::{Digest, Sha256};
+use hyper::body::Incoming;
+use hyper::header::{HOST, IF_NONE_MATCH};
+use hyper::server::conn::http1;
+use hyper::service::service_fn;
+use hyper::{Method, Request, StatusCode};
+use hyper_util::rt::{TokioIo, TokioTimer};
+use tokio::net::TcpStream;
+use tokio::runtime::Builder;
+use tokio::time::sleep;
+use tokio_util::sync::CancellationToken;
 
+use super::connections::{Connections, HasRequest};
 use super::file::file;
-use super::refused::Refused;
-use super::request::Request;
-use super::response::{Response, ResponseBody};
-use super::stop_flag::StopFlag;
-use crate::scene::{gzipped, live_page};
+use super::reply::{self, Reply};
+use super::scene_cache::{SceneCache, SceneSource};
+use crate::scene::live_page;
 
-/// Maximum number of simultaneous requests.
-const MAX_REQUESTS: usize = 16;
-/// Interval at which the stop flag is checked.
-const CHECK_INTERVAL: Duration = Duration::from_millis(20);
-
-/// Source of the scenes of a [`Server`].
-pub trait SceneSource: Sync {
-    /// Number that changes with the scene. It is queried at each request.
-    fn version(&self) -> u64;
-
-    /// Builds the scene as a [`container`](crate::container). It is called only if the version has changed.
-    ///
-    /// # Errors
-    /// If there is no scene. The response has status 500.
-    fn scene(&self) -> io::Result<Vec<u8>>;
-}
+/// Maximum time for a request to arrive.
+const REQUEST_TIMEOUT: Duration = Duration::from_secs(5);
+/// Maximum number of bytes of request line and headers. Bodies are not read.
+const MAX_BYTES: usize = 8 << 10;
+/// Maximum number of headers.
+const MAX_HEADERS: usize = 64;
+/// Pause after a temporary error of accepting a connection.
+const PAUSE: Duration = Duration::from_millis(20);
 
 /// HTTP server of a page, its scene and the files of a folder for browsers on this machine.
 ///
@@ -41,8 +40,8 @@ pub trait SceneSource: Sync {
 /// | `/files/..` | regular files of the folder |
 ///
 /// The server listens on 127.0.0.1 only. It accepts only requests whose `Host` is a local name of this machine, so that no
-/// foreign page can read it through DNS rebinding. Each connection has one request. Requests are parsed by `httparse` within
-/// limits of size, time and number.
+/// foreign page can read it through DNS rebinding. Each connection has one request, of limited size and time. The number of
+/// connections is limited; connections without a request give way to new ones.
 #[derive(Debug)]
 pub struct Server {
     listener: TcpListener,
@@ -51,12 +50,26 @@ pub struct Server {
     stop: StopFlag,
 }
 
-/// Cached scene.
-#[derive(Default)]
-struct CachedScene {
-    version: Option<u64>,
-    bytes: Arc<Vec<u8>>,
-    tag: String,
+/// Flag that stops a [`Server`] from another thread.
+#[derive(Clone, Debug, Default)]
+pub struct StopFlag(CancellationToken);
+
+impl StopFlag {
+    /// Sets the flag.
+    pub fn stop(&self) {
+        self.0.cancel();
+    }
+
+    /// True if the flag is set.
+    pub fn is_set(&self) -> bool {
+        self.0.is_cancelled()
+    }
+}
+
+/// Folder and scene of the responses.
+struct Content {
+    folder: PathBuf,
+    cache: SceneCache,
 }
 
 impl Server {
@@ -90,91 +103,101 @@ impl Server {
     ///
     /// # Errors
     /// If accepting connections fails.
-    pub fn serve(&self, source: &dyn SceneSource) -> io::Result<()> {
-        let (cache, busy) = (Mutex::default(), AtomicUsize::new(0));
-        thread::scope(|scope| {
-            while !self.stop.is_set() {
-                if busy.load(Ordering::SeqCst) >= MAX_REQUESTS {
-                    thread::sleep(CHECK_INTERVAL);
-                    continue;
-                }
-                match self.listener.accept() {
-                    Ok((stream, _)) => {
-                        busy.fetch_add(1, Ordering::SeqCst);
-                        let (cache, busy) = (&cache, &busy);
-                        let answer = move || {
-                            self.answer(stream, source, cache);
-                            busy.fetch_sub(1, Ordering::SeqCst);
-                        };
-                        if thread::Builder::new().spawn_scoped(scope, answer).is_err() {
-                            busy.fetch_sub(1, Ordering::SeqCst);
-                        }
-                    }
-                    Err(error) if is_temporary(&error) => thread::sleep(CHECK_INTERVAL),
-                    Err(error) => return Err(error),
-                }
-            }
-            Ok(())
-        })
+    pub fn serve(&self, source: Arc<dyn SceneSource>) -> io::Result<()> {
+        let content = Arc::new(Content { folder: self.folder.clone(), cache: SceneCache::new(source) });
+        let runtime = Builder::new_current_thread().enable_all().build()?;
+        let served = runtime.block_on(self.accept(&content));
+        // Scenes that are being built are not awaited.
+        runtime.shutdown_background();
+        served
     }
 
-    /// Answers one request. Errors of a closed connection are ignored.
-    fn answer(&self, mut stream: TcpStream, source: &dyn SceneSource, cache: &Mutex<CachedScene>) {
-        if stream.set_nonblocking(false).is_err() {
-            return;
-        }
-        let (response, head) = match Request::read(&mut stream, &self.stop) {
-            Ok(request) => (self.response(&request, source, cache), request.method == "HEAD"),
-            Err(Refused::Malformed) => (Response::status(400), false),
-            Err(Refused::Large) => (Response::status(431), false),
-            Err(Refused::Lost) => return,
-        };
-        let _ = response.send(&mut stream, head);
-    }
-
-    fn response(&self, request: &Request, source: &dyn SceneSource, cache: &Mutex<CachedScene>) -> Response {
-        if !request.is_local() {
-            return Response::status(403);
-        }
-        if request.method != "GET" && request.method != "HEAD" {
-            return Response::status(405);
-        }
-        match request.path.as_str() {
-            "/" => {
-                let body = ResponseBody::Bytes(live_page().into_bytes());
-                Response { status: 200, kind: "text/html; charset=utf-8", tag: None, body }
+    async fn accept(&self, content: &Arc<Content>) -> io::Result<()> {
+        let listener = tokio::net::TcpListener::from_std(self.listener.try_clone()?)?;
+        let mut connections = Connections::default();
+        loop {
+            let accepted = tokio::select! {
+                () = self.stop.0.cancelled() => return Ok(()),
+                accepted = listener.accept() => accepted,
+            };
+            match accepted {
+                Ok((stream, _)) => {
+                    let has_request = HasRequest::default();
+                    let connection = answer(stream, Arc::clone(content), has_request.clone());
+                    connections.add(tokio::spawn(connection), has_request);
+                }
+                Err(error) if is_temporary(&error) => sleep(PAUSE).await,
+                Err(error) => return Err(error),
             }
-            "/scene" => scene(request, source, cache).unwrap_or_else(|_| Response::status(500)),
-            path => match path.strip_prefix("/files/") {
-                Some(path) => file(&self.folder, path),
-                None => Response::status(404),
-            },
         }
     }
 }
 
-/// Response with the scene, rebuilt if its version has changed; without a body if the client has it.
-fn scene(request: &Request, source: &dyn SceneSource, cache: &Mutex<CachedScene>) -> io::Result<Response> {
-    let (bytes, tag) = {
-        let mut cached = cache.lock().unwrap_or_else(PoisonError::into_inner);
-        let version = source.version();
-        if cached.version != Some(version) {
-            let bytes = gzipped(&source.scene()?);
-            let hash: String =
-                Sha256::digest(&bytes).iter().take(16).map(|byte| format!("{byte:02x}")).collect();
-            *cached =
-                CachedScene { version: Some(version), bytes: Arc::new(bytes), tag: format!("\"{hash}\"") };
+/// Answers the request of a connection. Errors of a closed connection are ignored.
+async fn answer(stream: TcpStream, content: Arc<Content>, has_request: HasRequest) {
+    let service = service_fn(|request| {
+        has_request.set();
+        let content = Arc::clone(&content);
+        async move { Ok::<_, Infallible>(content.reply(&request).await) }
+    });
+    let mut connection = http1::Builder::new();
+    connection.timer(TokioTimer::new()).header_read_timeout(REQUEST_TIMEOUT).keep_alive(false);
+    connection.max_buf_size(MAX_BYTES).max_headers(MAX_HEADERS);
+    let _ = connection.serve_connection(TokioIo::new(stream), service).await;
+}
+
+impl Content {
+    async fn reply(self: &Arc<Self>, request: &Request<Incoming>) -> Reply {
+        if !is_local(request) {
+            return reply::status(StatusCode::FORBIDDEN);
         }
-        (Arc::clone(&cached.bytes), cached.tag.clone())
+        if request.method() != Method::GET && request.method() != Method::HEAD {
+            return reply::status(StatusCode::METHOD_NOT_ALLOWED);
+        }
+        match request.uri().path() {
+            "/" => reply::bytes("text/html; charset=utf-8", live_page().into()),
+            "/scene" => self.scene(request).await,
+            path => match path.strip_prefix("/files/") {
+                Some(path) => self.file(path).await,
+                None => reply::status(StatusCode::NOT_FOUND),
+            },
+        }
+    }
+
+    /// Response with the scene; without a body if the client has it.
+    async fn scene(self: &Arc<Self>, request: &Request<Incoming>) -> Reply {
+        let content = Arc::clone(self);
+        let built = tokio::task::spawn_blocking(move || content.cache.scene()).await;
+        let Ok(Ok(scene)) = built else { return reply::status(StatusCode::INTERNAL_SERVER_ERROR) };
+        let sent = request.headers().get_all(IF_NONE_MATCH).iter().filter_map(|tags| tags.to_str().ok());
+        let mut known = sent.flat_map(|tags| tags.split(',')).map(str::trim);
+        if known.any(|known| known == "*" || known.trim_start_matches("W/") == scene.tag) {
+            return reply::not_modified(&scene.tag);
+        }
+        reply::scene(scene.bytes, &scene.tag)
+    }
+
+    /// Response with a file of the folder.
+    async fn file(&self, path: &str) -> Reply {
+        let (folder, path) = (self.folder.clone(), path.to_owned());
+        let opened = tokio::task::spawn_blocking(move || file(Path::new(&folder), &path)).await;
+        match opened {
+            Ok(Some(file)) => reply::file(file.kind, file.file.into(), file.length),
+            _ => reply::status(StatusCode::NOT_FOUND),
+        }
+    }
+}
+
+/// True if the host is a name of this machine. Other names may have been rebound to its address by a foreign page.
+fn is_local(request: &Request<Incoming>) -> bool {
+    let hosts: Vec<_> = request.headers().get_all(HOST).iter().collect();
+    let [host] = hosts.as_slice() else { return false };
+    let Ok(host) = host.to_str() else { return false };
+    let name = match host.rsplit_once(':') {
+        Some((name, port)) if port.bytes().all(|byte| byte.is_ascii_digit()) => name,
+        _ => host,
     };
-    let known = |known: &String| *known == "*" || known.trim_start_matches("W/") == tag;
-    let status = if request.tags.iter().any(known) { 304 } else { 200 };
-    Ok(Response {
-        status,
-        kind: "application/octet-stream",
-        tag: Some(tag),
-        body: ResponseBody::Shared(bytes),
-    })
+    name.eq_ignore_ascii_case("localhost") || name == "127.0.0.1" || name == "[::1]"
 }
 
 /// True if an error of accepting a connection is temporary.

@@ -20,7 +20,7 @@ mod tables;
 mod verify;
 
 pub use cases::PaperRuns;
-pub use page::ReportFolder;
+pub use page::{HtmlPage, PageSection, ReportFolder, figure};
 pub use report::write_paper;
 pub use results::PaperResults;
 pub use verify::{ProblemVerdict, VerificationRecord, solve_problems, write_verification};

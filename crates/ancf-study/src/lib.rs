@@ -22,6 +22,7 @@
 
 mod cases;
 mod engine;
+mod evaluation;
 mod part;
 mod source;
 mod statement;
@@ -29,6 +30,9 @@ mod table;
 
 pub use cases::{CaseDesign, CaseOutcome, CaseRow, ObjectiveGauges, ParameterAxis, reduce_column, run_cases};
 pub use engine::{StudyRun, StudySettings};
+pub use evaluation::{
+    Convergence, ParameterSensitivity, RecordedColumn, Sensitivity, StudyRecord, convergence, sensitivity,
+};
 pub use part::StudyPart;
 pub use source::StudySource;
 pub use statement::{

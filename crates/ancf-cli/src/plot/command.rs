@@ -14,7 +14,7 @@ use super::figure_format::FigureFormat;
 use super::listing::ColumnListing;
 use super::panel::PlotPanel;
 use super::selection::ColumnSelection;
-use crate::results::open_run;
+use super::source::PlotSource;
 use crate::terminal::{
     Ended, is_stdout_coloured, is_unicode, print, print_json, print_output, print_status, reject,
 };
@@ -22,13 +22,13 @@ use crate::terminal::{
 /// Arguments of `ancf plot`.
 #[derive(Debug, Args)]
 pub struct PlotArguments {
-    /// Folder of a run, which may still be running.
+    /// Folder of a run, which may still be running, or of a study.
     #[arg(value_name = "DIR")]
     folder: PathBuf,
     /// Names of columns, probes or joints (`tip` for tip.x, tip.y and tip.z), or patterns (`*.y`); without names, all columns are listed.
     #[arg(value_name = "COLUMN")]
     columns: Vec<String>,
-    /// Column of the horizontal axis; the first by default: time, load factor or mode number.
+    /// Column of the horizontal axis; time, load factor, mode number, or the first parameter of a study by default.
     #[arg(short, long, value_name = "COLUMN")]
     against: Option<String>,
     /// Write a figure into this SVG or PNG file instead of a chart in the terminal.
@@ -57,6 +57,7 @@ Examples:
   ancf plot out tip.y --against tip.x           the path of the tip
   ancf plot out kinetic strain --from 0.5 --to 1
   ancf plot out tip.y -o tip.png --title Tip    a figure; also .svg
+  ancf plot study tip                           an objective of a study over its parameter
 
 Curves are interrupted at values that are not finite. Without colours several curves have different
 markers. Exit code 2 for a folder without a run, or an unknown column.";
@@ -64,13 +65,12 @@ markers. Exit code 2 for a folder without a run, or an unknown column.";
 impl PlotArguments {
     /// Plots, or lists the columns.
     pub fn run(&self) -> Result<Ended> {
-        let results = match open_run(&self.folder)? {
-            Ok(results) => results,
+        let source = match PlotSource::open(&self.folder)? {
+            Ok(source) => source,
             Err(ended) => return Ok(ended),
         };
-        let series = results.columns()?;
         if self.columns.is_empty() && self.output.is_none() && self.against.is_none() {
-            let listing = ColumnListing::new(&results, &series);
+            let listing = ColumnListing::new(&self.folder, &source);
             print(&listing.text());
             print_json(&listing);
             return Ok(Ended::Done);
@@ -82,12 +82,12 @@ impl PlotArguments {
                 Some(Ok(chosen)) => Some(chosen),
                 None => None,
             };
-        let selection = match ColumnSelection::new(&results, &self.columns, self.against.as_deref()) {
+        let selection = match ColumnSelection::new(&source, &self.columns, self.against.as_deref()) {
             Ok(selection) => selection,
             Err(message) => return Ok(reject(&message)),
         };
         let range = [self.from.unwrap_or(f64::NEG_INFINITY), self.to.unwrap_or(f64::INFINITY)];
-        let panels = selection.panels(&series, range);
+        let panels = selection.panels(&source, range);
         if !panels.iter().any(PlotPanel::has_points) {
             let message = format!("{}: no values to plot in this range", self.folder.display());
             return Ok(reject(&message));

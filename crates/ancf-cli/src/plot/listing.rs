@@ -1,11 +1,11 @@
 //! List of the columns of a run.
 
+use std::path::Path;
+
 use ancf::errors::short;
-use ancf::record::Series;
-use ancf_results::{Results, RunStatus};
 use serde::Serialize;
 
-use super::selection::PlotQuantity;
+use super::source::{PlotQuantity, PlotSource};
 use crate::terminal::count;
 
 /// List of the columns of a run.
@@ -28,8 +28,9 @@ struct ColumnEntry {
 }
 
 impl ColumnListing {
-    /// Lists the columns of a run.
-    pub fn new(results: &Results, series: &Series) -> Self {
+    /// Lists the columns of a run or a study.
+    pub fn new(folder: &Path, source: &PlotSource) -> Self {
+        let series = &source.series;
         let entry = |quantity: PlotQuantity| {
             let values = series.column(&quantity.name).unwrap_or_default();
             let bound = |better: fn(f64, f64) -> f64| {
@@ -39,14 +40,10 @@ impl ColumnListing {
             ColumnEntry { name: quantity.name, unit: quantity.unit, least, largest }
         };
         Self {
-            folder: results.folder().path().display().to_string(),
-            status: match results.status() {
-                RunStatus::Running => "running",
-                RunStatus::Ended => "ended",
-                RunStatus::Broken => "broken",
-            },
+            folder: folder.display().to_string(),
+            status: source.status,
             rows: series.columns().next().map_or(0, |(_, values)| values.len()),
-            columns: PlotQuantity::all(results).into_iter().map(entry).collect(),
+            columns: source.quantities.iter().cloned().map(entry).collect(),
         }
     }
 

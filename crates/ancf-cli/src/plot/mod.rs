@@ -1,7 +1,7 @@
 //! `ancf plot`: columns of a run as a chart of characters or a figure.
 //!
 //! ```text
-//! folder, names -> columns -> panels, one per unit -> charts of characters
+//! folder -> source, names -> columns -> panels, one per unit -> charts of characters
 //!                                                \-> SVG, PNG
 //! ```
 
@@ -16,6 +16,7 @@ mod figure_format;
 mod listing;
 mod panel;
 mod selection;
+mod source;
 mod tick;
 
 pub use command::{PLOT_EXAMPLES, PlotArguments};

@@ -1,11 +1,9 @@
 //! Selection of columns by names and patterns.
 
-use ancf::Column;
 use ancf::errors::nearest;
-use ancf::record::Series;
-use ancf_results::Results;
 
 use super::panel::{PanelCurve, PlotPanel};
+use super::source::{PlotQuantity, PlotSource};
 
 /// Selected columns.
 #[derive(Debug)]
@@ -16,44 +14,20 @@ pub struct ColumnSelection {
     columns: Vec<PlotQuantity>,
 }
 
-/// Column with its unit, which may be empty.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct PlotQuantity {
-    /// Name of the column.
-    pub name: String,
-    /// Unit.
-    pub unit: String,
-}
-
-impl PlotQuantity {
-    /// Returns all columns of a run.
-    pub fn all(results: &Results) -> Vec<Self> {
-        let units = results.model().unit_names();
-        let unit =
-            |column: &Column| column.dimension.map(|dimension| units.of(dimension)).unwrap_or_default();
-        let columns = results.simulation().columns();
-        columns.into_iter().map(|column| Self { unit: unit(&column), name: column.name }).collect()
-    }
-
-    /// Returns name and unit.
-    pub fn label(&self) -> String {
-        if self.unit.is_empty() { self.name.clone() } else { format!("{} ({})", self.name, self.unit) }
-    }
-}
-
 impl ColumnSelection {
-    /// Selects columns by names, against another column or the first.
+    /// Selects columns of a source by names, against another column or the default one.
     ///
     /// # Errors
     /// If there is no column of a name; the error is a message.
-    pub fn new(results: &Results, names: &[String], against: Option<&str>) -> Result<Self, String> {
-        Self::among(PlotQuantity::all(results), names, against)
+    pub fn new(source: &PlotSource, names: &[String], against: Option<&str>) -> Result<Self, String> {
+        let against = against.unwrap_or(&source.abscissa);
+        Self::among(&source.quantities, names, Some(against))
     }
 
-    fn among(all: Vec<PlotQuantity>, names: &[String], against: Option<&str>) -> Result<Self, String> {
+    fn among(all: &[PlotQuantity], names: &[String], against: Option<&str>) -> Result<Self, String> {
         let first = all.first().ok_or("there are no columns")?.clone();
         let against = match against {
-            Some(name) => all.iter().find(|one| one.name == name).ok_or_else(|| unknown(name, &all))?.clone(),
+            Some(name) => all.iter().find(|one| one.name == name).ok_or_else(|| unknown(name, all))?.clone(),
             None => first.clone(),
         };
         if names.is_empty() {
@@ -61,9 +35,9 @@ impl ColumnSelection {
         }
         let mut columns: Vec<PlotQuantity> = Vec::new();
         for name in names {
-            let found = matching(name, &all);
+            let found = matching(name, all);
             if found.is_empty() {
-                return Err(unknown(name, &all));
+                return Err(unknown(name, all));
             }
             for column in found {
                 if !columns.contains(column) {
@@ -74,8 +48,9 @@ impl ColumnSelection {
         Ok(Self { first: first.name, against, columns })
     }
 
-    /// Returns one panel per unit, with the rows whose first value is in a range.
-    pub fn panels(&self, series: &Series, [from, to]: [f64; 2]) -> Vec<PlotPanel> {
+    /// Returns the panels, with the rows whose first value is in a range.
+    pub fn panels(&self, source: &PlotSource, [from, to]: [f64; 2]) -> Vec<PlotPanel> {
+        let PlotSource { series, is_connected, shares_panels, .. } = source;
         let values = |name: &str| series.column(name).unwrap_or_default();
         let kept: Vec<bool> = values(&self.first).iter().map(|t| (from..=to).contains(t)).collect();
         let keep = |name: &str| -> Vec<f64> {
@@ -85,11 +60,11 @@ impl ColumnSelection {
         for column in &self.columns {
             let curve =
                 PanelCurve { name: column.name.clone(), x: keep(&self.against.name), y: keep(&column.name) };
-            match panels.iter_mut().find(|panel| panel.unit == column.unit) {
+            match panels.iter_mut().find(|panel| *shares_panels && panel.unit == column.unit) {
                 Some(panel) => panel.curves.push(curve),
                 None => panels.push(PlotPanel {
                     x: self.against.label(),
-                    is_discrete: self.first == "mode",
+                    is_discrete: !*is_connected,
                     unit: column.unit.clone(),
                     curves: vec![curve],
                 }),
@@ -179,7 +154,7 @@ mod tests {
 
     fn names(words: &[&str]) -> Result<Vec<String>, String> {
         let words: Vec<String> = words.iter().map(|&word| word.to_owned()).collect();
-        ColumnSelection::among(all(), &words, None)
+        ColumnSelection::among(&all(), &words, None)
             .map(|chosen| chosen.columns.into_iter().map(|column| column.name).collect())
     }
 
@@ -197,7 +172,7 @@ mod tests {
         assert_eq!(names(&["tpi.y"]).unwrap_err(), "there is no column `tpi.y`; did you mean `tip.y`?");
         assert_eq!(names(&["rot"]).unwrap_err(), "there is no column `rot`; did you mean `root`?");
         assert!(names(&["*.q"]).unwrap_err().starts_with("there is no column `*.q`; "));
-        assert!(ColumnSelection::among(all(), &["t".into()], Some("tip")).is_err(), "one column only");
+        assert!(ColumnSelection::among(&all(), &["t".into()], Some("tip")).is_err(), "one column only");
     }
 
     #[test]
@@ -208,19 +183,29 @@ mod tests {
 
     #[test]
     fn columns_of_one_unit_share_a_panel_and_rows_are_chosen_by_the_first_column() {
-        use ancf::record::Sink;
+        use ancf::record::{Series, Sink};
         let mut series = Series::new();
         series.begin(&all().into_iter().map(|one| one.name).collect::<Vec<_>>()).unwrap();
         for t in 0..5 {
             let _ = series.record(&[f64::from(t), 1.0, 2.0, 3.0, 4.0, 5.0, f64::from(t * t), 7.0]).unwrap();
         }
         let words = ["tip.y", "root", "tip.x"].map(str::to_owned);
-        let panels =
-            ColumnSelection::among(all(), &words, Some("root.fy")).unwrap().panels(&series, [1.0, 3.0]);
+        let mut source = PlotSource {
+            quantities: all(),
+            series,
+            status: "ended",
+            abscissa: "t".to_owned(),
+            is_connected: true,
+            shares_panels: true,
+        };
+        let selection = ColumnSelection::new(&source, &words, Some("root.fy")).unwrap();
+        let panels = selection.panels(&source, [1.0, 3.0]);
         let names: Vec<Vec<_>> =
             panels.iter().map(|panel| panel.curves.iter().map(|curve| &*curve.name).collect()).collect();
         assert_eq!(names, [vec!["tip.y", "tip.x"], vec!["root.fx", "root.fy"]]);
         assert_eq!((panels[0].unit.as_str(), panels[0].x.as_str()), ("m", "root.fy (N)"));
         assert_eq!(panels[0].curves[0].x, [1.0, 4.0, 9.0]);
+        source.shares_panels = false;
+        assert_eq!(selection.panels(&source, [1.0, 3.0]).len(), 4);
     }
 }

@@ -5,17 +5,19 @@ use std::path::{Path, PathBuf};
 
 use ancf_report::{BUDGET, page};
 use ancf_results::write_atomically;
+use ancf_study::StudyRecord;
 use anyhow::{Context, Result};
 use clap::Args;
 
 use super::run_folder::open_run;
 use super::scene::scene_of;
+use super::study_folder::open_study;
 use crate::terminal::{Ended, print};
 
 /// Arguments of `ancf report`.
 #[derive(Debug, Args)]
 pub struct ReportArguments {
-    /// Folder of a run.
+    /// Folder of a run or of a study.
     folder: PathBuf,
     /// HTML file; report.html in the folder by default.
     #[arg(short, long, value_name = "FILE")]
@@ -49,16 +51,34 @@ impl ReportArguments {
 /// Name of the report in the folder of a run.
 pub const REPORT: &str = "report.html";
 
-/// Writes the report of the run in a folder with about `budget` bytes of states. Returns an end if the folder has no run.
+/// Page of a study.
+#[cfg(feature = "figures")]
+#[expect(clippy::unnecessary_wraps, reason = "a program without figures has no page")]
+pub fn page_of_study(folder: &Path, study: &StudyRecord) -> Result<String, Ended> {
+    Ok(super::study::study_page(folder, study))
+}
+
+/// Rejects the command: this program has no figures.
+#[cfg(not(feature = "figures"))]
+pub fn page_of_study(_: &Path, _: &StudyRecord) -> Result<String, Ended> {
+    Err(crate::terminal::reject_figures())
+}
+
+/// Writes the report of the run or the study in a folder with about `budget` bytes of states. Returns an end if the folder has no run.
 ///
 /// # Errors
 /// If results cannot be read or the report cannot be written.
 pub fn write_report(folder: &Path, path: &Path, budget: usize) -> Result<Option<Ended>> {
-    let results = match open_run(folder)? {
-        Ok(results) => results,
-        Err(ended) => return Ok(Some(ended)),
+    let html = match open_study(folder)? {
+        Some(study) => match page_of_study(folder, &study) {
+            Ok(html) => html,
+            Err(ended) => return Ok(Some(ended)),
+        },
+        None => match open_run(folder)? {
+            Ok(results) => page(&scene_of(&results, false, budget)?),
+            Err(ended) => return Ok(Some(ended)),
+        },
     };
-    let html = page(&scene_of(&results, false, budget)?);
     write_atomically(path, |mut file| file.write_all(html.as_bytes()))
         .with_context(|| format!("cannot write {}", path.display()))?;
     Ok(None)

@@ -5,10 +5,18 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use sha2::{Digest, Sha256};
 
-use crate::scene::gzipped;
+use crate::scene::{gzipped, live_page};
 
-/// Source of the scenes of a [`Server`](crate::Server).
+/// Source of the page and of the scenes of a [`Server`](crate::Server).
 pub trait SceneSource: Send + Sync {
+    /// Returns the page. By default it is the viewer, which requests the scene.
+    ///
+    /// # Errors
+    /// If there is no page. The response has status 500.
+    fn page(&self) -> io::Result<String> {
+        Ok(live_page())
+    }
+
     /// Number that changes with the scene. It is queried at each request.
     fn version(&self) -> u64;
 
@@ -37,6 +45,11 @@ pub(super) struct CachedScene {
 impl SceneCache {
     pub(super) fn new(source: Arc<dyn SceneSource>) -> Self {
         Self { source, last: Mutex::default() }
+    }
+
+    /// Returns the page.
+    pub(super) fn page(&self) -> io::Result<String> {
+        self.source.page()
     }
 
     /// Returns the scene, built once per version.

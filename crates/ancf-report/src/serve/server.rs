@@ -20,7 +20,6 @@ use super::connections::{Connections, HasRequest};
 use super::file::file;
 use super::reply::{self, Reply};
 use super::scene_cache::{SceneCache, SceneSource};
-use crate::scene::live_page;
 
 /// Maximum time for a request to arrive.
 const REQUEST_TIMEOUT: Duration = Duration::from_secs(5);
@@ -155,12 +154,20 @@ impl Content {
             return reply::status(StatusCode::METHOD_NOT_ALLOWED);
         }
         match request.uri().path() {
-            "/" => reply::bytes("text/html; charset=utf-8", live_page().into()),
+            "/" => self.page().await,
             "/scene" => self.scene(request).await,
             path => match path.strip_prefix("/files/") {
                 Some(path) => self.file(path).await,
                 None => reply::status(StatusCode::NOT_FOUND),
             },
+        }
+    }
+
+    async fn page(self: &Arc<Self>) -> Reply {
+        let content = Arc::clone(self);
+        match tokio::task::spawn_blocking(move || content.cache.page()).await {
+            Ok(Ok(page)) => reply::bytes("text/html; charset=utf-8", page.into()),
+            _ => reply::status(StatusCode::INTERNAL_SERVER_ERROR),
         }
     }
 

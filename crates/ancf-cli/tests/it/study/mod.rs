@@ -3,6 +3,7 @@
 mod cases;
 mod folder;
 mod rejections;
+mod results;
 
 use std::fs;
 use std::process::Command;

@@ -3,7 +3,7 @@
 import * as THREE from "three";
 import { roundUp } from "../base/numbers";
 import type { Scene, Vector } from "../scene/scene";
-import { dot, horizontalAxes } from "./axes";
+import { dot, horizontalAxes } from "../view/axes";
 
 /** Distance between two lines of the grid. */
 export function gridSpacing(scene: Scene): number {

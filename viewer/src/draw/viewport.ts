@@ -4,8 +4,9 @@ import * as THREE from "three";
 import type { Settings } from "../base/settings";
 import type { FrameBlend } from "../scene/blend";
 import type { Scene } from "../scene/scene";
+import { Camera, type Rectangle } from "../view/camera";
+import { type Extent, extentOf, type Spheres } from "../view/extent";
 import { BodyMeshes } from "./bodies";
-import { Camera } from "./camera";
 import { groundGrid } from "./grid";
 import { ObstacleMeshes } from "./obstacles";
 import { PointTextures } from "./points";
@@ -30,6 +31,10 @@ export class Viewport {
   private readonly world = new THREE.Scene();
   private contents: Contents | null = null;
   private readonly scratch = new THREE.Vector3();
+  /** Points that the camera frames, computed when it is fitted. */
+  private extent: Extent | null = null;
+  private deformation = 1;
+  private ghost = false;
   /** Size of the canvas in CSS pixels. */
   width = 1;
   height = 1;
@@ -37,7 +42,7 @@ export class Viewport {
   /** Throws if the browser has no WebGL 2. */
   constructor(
     readonly canvas: HTMLCanvasElement,
-    scene: Scene,
+    private scene: Scene,
     private readonly requestDraw: () => void,
   ) {
     const context = canvas.getContext("webgl2", {
@@ -48,13 +53,14 @@ export class Viewport {
     if (!context) throw new Error("no WebGL 2");
     this.renderer = new THREE.WebGLRenderer({ canvas, context, alpha: true });
     this.renderer.setClearAlpha(0);
-    this.camera = new Camera(canvas, scene, requestDraw);
+    this.camera = new Camera(canvas, scene.up, () => this.framed(), requestDraw);
     canvas.addEventListener("webglcontextrestored", requestDraw);
   }
 
   /** Loads a scene without a change of the camera. Returns the reference positions of the points. */
   load(scene: Scene): Float32Array {
     this.clear();
+    [this.scene, this.extent] = [scene, null];
     const points = new PointTextures(scene);
     const shared = new SharedUniforms(points);
     const bodies = new BodyMeshes(scene, points, shared);
@@ -63,7 +69,7 @@ export class Viewport {
       obstacles: new ObstacleMeshes(scene),
       grid: groundGrid(scene),
       markers: markerMesh(scene, points, shared),
-      reactions: reactionMesh(scene, points, shared),
+      reactions: reactionMesh(scene, points, shared, this.framed().arrow),
     };
     this.contents = contents;
     this.world.add(contents.grid, bodies.ghost, bodies.group, contents.obstacles.group);
@@ -71,7 +77,6 @@ export class Viewport {
     if (scene.reactions.length > 0) this.world.add(contents.reactions);
     if (scene.markers.length > 0) this.world.add(contents.markers);
     this.addLights(scene);
-    this.camera.extent = scene;
     this.camera.updateDepth();
     this.resize(this.width, this.height);
     return points.reference;
@@ -99,10 +104,18 @@ export class Viewport {
     this.contents?.points.dispose();
   }
 
+  /** Points of the scene with the displayed deformation. */
+  framed(): Extent {
+    this.extent ??= extentOf(this.scene, this.deformation, this.ghost);
+    return this.extent;
+  }
+
   /** Applies the display options. */
   apply(settings: Settings): void {
     if (!this.contents) return;
     const { scene, bodies, grid, markers, reactions } = this.contents;
+    if (this.deformation !== settings.deformation || this.ghost !== settings.ghost) this.extent = null;
+    [this.deformation, this.ghost] = [settings.deformation, settings.ghost];
     const field = scene.fields.findIndex((f) => f.name === settings.field);
     bodies.colourBy(field < 0 ? null : field);
     bodies.thickness = settings.thickness;
@@ -117,8 +130,7 @@ export class Viewport {
     [this.width, this.height] = [width, height];
     this.renderer.setPixelRatio(Math.min(2, window.devicePixelRatio));
     this.renderer.setSize(width, height, false);
-    // On a phone the buttons cover the whole upper edge.
-    this.camera.resize(width, height, width < 560 ? 60 : 0);
+    this.camera.resize(width, height);
     this.contents?.shared.setView(width, height, this.camera.camera.fov);
     this.requestDraw();
   }
@@ -143,6 +155,30 @@ export class Viewport {
     const { camera } = this.camera;
     const depth = -this.scratch.set(point[0], point[1], point[2]).applyMatrix4(camera.matrixWorldInverse).z;
     return this.height / (2 * Math.tan((camera.fov * Math.PI) / 360) * Math.max(1e-20, depth));
+  }
+
+  /** Free area of the last fit, and the boxes around the projected motion and arrows of all frames. */
+  framing(): { free: Rectangle; motion: Rectangle; arrows: Rectangle | null } {
+    const { motion, arrows } = this.framed();
+    return {
+      free: this.camera.free,
+      motion: this.projectedBox(motion),
+      arrows: arrows.length > 0 ? this.projectedBox(arrows) : null,
+    };
+  }
+
+  private projectedBox(points: Spheres): Rectangle {
+    const box = { left: Infinity, top: Infinity, right: -Infinity, bottom: -Infinity };
+    for (let i = 0; i < points.length; i += 4) {
+      const point = points.subarray(i, i + 3);
+      const [x, y] = this.project(point) ?? [Number.NaN, Number.NaN];
+      const radius = points[i + 3] * this.pixelsPerUnit(point);
+      box.left = Math.min(box.left, x - radius);
+      box.right = Math.max(box.right, x + radius);
+      box.top = Math.min(box.top, y - radius);
+      box.bottom = Math.max(box.bottom, y + radius);
+    }
+    return box;
   }
 
   /** Share of the canvas (0 to 1) that objects other than the grid cover. */

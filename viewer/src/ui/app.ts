@@ -11,12 +11,14 @@ import { Viewport } from "../draw/viewport";
 import { Labels } from "../overlay/labels";
 import { ColourLegend } from "../overlay/legend";
 import { Tooltip } from "../overlay/tooltip";
+import { SidePanel } from "../panel/panel";
 import type { FrameBlend } from "../scene/blend";
 import { hasFailed, isModal, type Scene } from "../scene/scene";
 import { frameLabels } from "../scene/shapes";
+import type { Rectangle } from "../view/camera";
 import { DisplayOptions } from "./display";
+import { coveredAreas, freeAreas } from "./free_area";
 import { PageLayout } from "./layout";
-import { SidePanel } from "./panel";
 import { Player } from "./player";
 import { TransportBar } from "./transport";
 
@@ -101,7 +103,7 @@ export class App {
     this.gridNote.textContent = `grid ${formatQuantity(gridSpacing(scene), scene.units?.length ?? "")}`;
     this.reference = this.viewport?.load(scene) ?? this.reference;
     this.viewport?.apply(this.settings.values);
-    if (!update) this.viewport?.camera.setView(isPlanar(scene) ? "front" : "oblique");
+    if (!update) this.viewport?.camera.setInitialView();
   }
 
   /** Creates the viewport. Returns false if the browser has no WebGL 2. */
@@ -115,12 +117,21 @@ export class App {
       );
       return false;
     }
-    this.labels = new Labels(this.viewport);
+    const { viewport } = this;
+    this.labels = new Labels(viewport);
     this.layout.overlay.prepend(this.labels.element);
+    viewport.camera.freeAreas = () => freeAreas(viewport.width, viewport.height, this.covered());
     const resize = () => this.viewport?.resize(canvas.clientWidth, canvas.clientHeight);
     resize();
     new ResizeObserver(resize).observe(canvas);
     return true;
+  }
+
+  /** Areas of the 3-D view under buttons and legends. */
+  private covered(): Rectangle[] {
+    const { canvas, tools } = this.layout;
+    const elements = [tools, this.legend.element, this.triad.element, this.gridNote];
+    return coveredAreas(canvas, elements);
   }
 
   /** Requests a drawing in the next animation frame. Without requests nothing is drawn. */
@@ -178,14 +189,4 @@ export class App {
 
 function prefersReducedMotion(): boolean {
   return matchMedia("(prefers-reduced-motion: reduce)").matches;
-}
-
-/** True if the motion lies in the plane of the front view. */
-function isPlanar(scene: Scene): boolean {
-  const [low, high] = scene.bounds;
-  const size = low.map((x, k) => high[k] - x);
-  const thinnest = size.indexOf(Math.min(...size));
-  const vertical = scene.up.map(Math.abs).indexOf(1);
-  const depth = vertical === 2 ? 1 : 2;
-  return !isModal(scene) && size[thinnest] < 0.02 * Math.max(...size) && thinnest === depth;
 }

@@ -3,7 +3,7 @@
 import { iconButton } from "../base/dom";
 import { ICONS } from "../base/icons";
 import type { Theme } from "../base/theme";
-import { STANDARD_VIEWS } from "../draw/camera";
+import { STANDARD_VIEWS } from "../view/camera";
 import type { App } from "./app";
 import { canRecord, saveImage, saveVideo } from "./export";
 

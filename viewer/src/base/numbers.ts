@@ -15,11 +15,6 @@ export function formatNumber(x: number, digits = 4): string {
   return short.replace(/-/g, "−");
 }
 
-/** Formats a number with its unit. */
-export function formatQuantity(x: number, unit: string): string {
-  return unit === "" ? formatNumber(x) : `${formatNumber(x)} ${unit}`;
-}
-
 /** Returns the number, or zero if it is rounding noise relative to `reference`. */
 export function suppressNoise(x: number, reference: number): number {
   return Math.abs(x) < ROUNDING_NOISE * reference ? 0 : x;

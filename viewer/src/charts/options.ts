@@ -2,7 +2,7 @@
 
 import type uPlot from "uplot";
 import { cssColour, paletteColour } from "../base/colours";
-import { formatQuantity } from "../base/numbers";
+import { formatQuantity } from "../base/units";
 import type { Chart } from "../scene/scene";
 import type { Abscissa } from "./abscissa";
 import { type AxisRange, type AxisScale, paddedRange } from "./scales";

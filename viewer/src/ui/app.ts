@@ -1,8 +1,8 @@
 // Application: connects the parts of the page, and updates them in `draw`.
 
 import { h } from "../base/dom";
-import { formatQuantity } from "../base/numbers";
 import { SettingsStore } from "../base/settings";
+import { formatQuantity } from "../base/units";
 import { Abscissa } from "../charts/abscissa";
 import { Charts } from "../charts/charts";
 import { gridSpacing } from "../draw/grid";
@@ -45,6 +45,7 @@ export class App {
   /** Reference positions of the points of the viewport. */
   private reference: Float32Array = new Float32Array(0);
   private drawRequested = false;
+  private coveredCache: Rectangle[] | null = null;
 
   constructor() {
     this.layout = new PageLayout(this.panel.element, this.transport.element, this.display.element);
@@ -118,20 +119,31 @@ export class App {
       return false;
     }
     const { viewport } = this;
-    this.labels = new Labels(viewport);
+    this.labels = new Labels(viewport, () => this.covered());
     this.layout.overlay.prepend(this.labels.element);
     viewport.camera.freeAreas = () => freeAreas(viewport.width, viewport.height, this.covered());
-    const resize = () => this.viewport?.resize(canvas.clientWidth, canvas.clientHeight);
+    const resize = () => {
+      this.coveredCache = null;
+      viewport.resize(canvas.clientWidth, canvas.clientHeight);
+    };
     resize();
-    new ResizeObserver(resize).observe(canvas);
+    const observer = new ResizeObserver(resize);
+    observer.observe(canvas);
+    for (const element of [this.display.element, this.legend.element]) {
+      new ResizeObserver(() => {
+        this.coveredCache = null;
+        this.requestDraw();
+      }).observe(element);
+    }
     return true;
   }
 
-  /** Areas of the 3-D view under buttons and legends. */
+  /** Areas of the 3-D view under buttons and legends, until `coveredCache` is cleared. */
   private covered(): Rectangle[] {
     const { canvas, tools } = this.layout;
-    const elements = [tools, this.legend.element, this.triad.element, this.gridNote];
-    return coveredAreas(canvas, elements);
+    const elements = [tools, this.display.element, this.legend.element, this.triad.element, this.gridNote];
+    this.coveredCache ??= coveredAreas(canvas, elements);
+    return this.coveredCache;
   }
 
   /** Requests a drawing in the next animation frame. Without requests nothing is drawn. */

@@ -5,7 +5,7 @@ export type Rgb = [number, number, number];
 const VIRIDIS = "440154 482878 3e4989 31688e 26828e 1f9e89 35b779 6ece58 b5de2b fde725";
 const COOL_WARM = "3b4cc0 688aef 99baff c9d8ef dddddd edd1c2 f7a789 e36a53 b40426";
 /** Colours of bodies and curves, distinguishable with most colour vision deficiencies (after Okabe & Ito, 2008). */
-const OKABE_ITO = "3f86d0 d08700 129a73 d0558f 9c8a1e 8c7be0 d9622b 4f9b95";
+const OKABE_ITO = "3f86d0 d08700 129a73 d0558f 7b5bd6 7d8793 a8482a 2fb0c4";
 
 function parse(list: string): Rgb[] {
   return list.split(" ").map((hex) => [0, 2, 4].map((i) => Number.parseInt(hex.slice(i, i + 2), 16)) as Rgb);

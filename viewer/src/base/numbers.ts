@@ -30,6 +30,18 @@ export function largestMagnitude(values: ArrayLike<number>): number {
   return largest;
 }
 
+/** Smallest and largest finite value; null if there is none. */
+export function valueRange(values: ArrayLike<number>): [number, number] | null {
+  let [low, high] = [Infinity, -Infinity];
+  for (let i = 0; i < values.length; i++) {
+    const x = values[i];
+    if (!Number.isFinite(x)) continue;
+    if (x < low) low = x;
+    if (x > high) high = x;
+  }
+  return low <= high ? [low, high] : null;
+}
+
 /** Smallest round number (1, 2 or 5 times a power of ten) not below `x`. */
 export function roundUp(x: number): number {
   if (!(x > 0)) return 1;

@@ -35,8 +35,8 @@ export function displayUnit(unit: string, reference: number): DisplayUnit {
   // The tolerance keeps 999.96, which is displayed as 1000, out of the smaller unit.
   const thousands = Math.floor(Math.log10(size * 1.00005) / 3);
   const power = size >= 0.1 && size < 1 ? 0 : Math.min(most, Math.max(least, thousands));
-  // A small prefix would need more zeros than it saves, as in 0.0001 nm.
-  if (size < 1e-3 * 1000 ** power) return { name: unit, size: 1 };
+  // Outside the range of the prefixes an exponent is shorter.
+  if (size < 1e-3 * 1000 ** power || size >= 1e5 * 1000 ** power) return { name: unit, size: 1 };
   return { name: PREFIXES[power] + symbol, size: 1000 ** power / factor };
 }
 

@@ -16,7 +16,7 @@ const files = readdirSync(SOURCES, { recursive: true }).filter((path) => path.en
 /** Modules of the viewer that a file imports. */
 function imports(file) {
   const text = readFileSync(join(SOURCES, file), "utf8");
-  return [...text.matchAll(/from "(\.[^"]*)"/g)].map(
+  return [...text.matchAll(/from "(\.[^"]*)(?<!\.json)"/g)].map(
     ([, path]) => `${relative(SOURCES, resolve(SOURCES, dirname(file), path))}.ts`,
   );
 }

@@ -1,7 +1,8 @@
 // Meshes of the bodies, swept by the vertex shader, and the ghost of the reference configuration.
 
 import * as THREE from "three";
-import { colourRange, colourTable, PALETTE } from "../base/colours";
+import { automaticMap, colourTable, PALETTE } from "../base/colours";
+import type { ColourScale } from "../scene/fields";
 import type { Scene } from "../scene/scene";
 import { bodyBatches, type InstanceBatch, STRIDE } from "./batches";
 import type { PointTextures } from "./points";
@@ -15,6 +16,8 @@ export class BodyMeshes {
   private readonly ghostUniforms: Record<string, THREE.IUniform>;
   private readonly materials: THREE.ShaderMaterial[];
   private field: THREE.DataTexture;
+  private shownField = -1;
+  private shownMap = "";
 
   constructor(
     private readonly scene: Scene,
@@ -32,7 +35,7 @@ export class BodyMeshes {
       minPixels: { value: 1.25 },
       ghost: { value: false },
       coloured: { value: false },
-      colours: { value: colourTexture(false) },
+      colours: { value: colourTexture(automaticMap(false)) },
       window: { value: new THREE.Vector2(0, 1) },
       palette: { value: PALETTE.map((c) => new THREE.Vector3(...c).divideScalar(255)) },
       ghostColour: { value: new THREE.Vector4(0.5, 0.55, 0.6, 0.3) },
@@ -52,23 +55,29 @@ export class BodyMeshes {
     }
   }
 
-  /** Colours the bodies by field `index`, or each body in its own colour if null. */
-  colourBy(index: number | null): void {
-    this.uniforms.coloured.value = index !== null;
-    if (index === null) return;
-    const { range, diverging } = this.scene.fields[index];
-    const [low, high] = colourRange(range, diverging);
-    this.field.dispose();
-    this.field = this.points.fieldTexture(index);
-    this.uniforms.field.value = this.field;
-    this.ghostUniforms.field.value = this.field;
+  /** Colours the bodies by field `index` with a scale, or each body in its own colour if the index is negative. */
+  colourBy(index: number, scale: ColourScale | null): void {
+    this.uniforms.coloured.value = scale !== null;
+    if (!scale) return;
+    const { range } = this.scene.fields[index];
+    const { map, low, high } = scale;
+    if (this.shownField !== index) {
+      this.field.dispose();
+      this.field = this.points.fieldTexture(index);
+      this.uniforms.field.value = this.field;
+      this.ghostUniforms.field.value = this.field;
+      this.shownField = index;
+    }
     (this.uniforms.window.value as THREE.Vector2).set(
       (range[0] - low) / (high - low),
       (range[1] - low) / (high - low),
     );
-    (this.uniforms.colours.value as THREE.Texture).dispose();
-    this.uniforms.colours.value = colourTexture(diverging);
-    this.ghostUniforms.colours.value = this.uniforms.colours.value;
+    if (this.shownMap !== map) {
+      (this.uniforms.colours.value as THREE.Texture).dispose();
+      this.uniforms.colours.value = colourTexture(map);
+      this.ghostUniforms.colours.value = this.uniforms.colours.value;
+      this.shownMap = map;
+    }
   }
 
   set thickness(factor: number) {
@@ -118,8 +127,8 @@ function instancedGeometry({ template, instances, count }: InstanceBatch): THREE
   return geometry;
 }
 
-function colourTexture(diverging: boolean): THREE.DataTexture {
-  const texture = new THREE.DataTexture(colourTable(diverging), 256, 1);
+function colourTexture(map: string): THREE.DataTexture {
+  const texture = new THREE.DataTexture(colourTable(map), 256, 1);
   texture.minFilter = THREE.LinearFilter;
   texture.magFilter = THREE.LinearFilter;
   texture.needsUpdate = true;

@@ -3,6 +3,7 @@
 import * as THREE from "three";
 import type { Settings } from "../base/settings";
 import type { FrameBlend } from "../scene/blend";
+import { colourScale } from "../scene/fields";
 import type { Scene } from "../scene/scene";
 import { Camera, type Rectangle } from "../view/camera";
 import { type Extent, extentOf, type Spheres } from "../view/extent";
@@ -117,7 +118,7 @@ export class Viewport {
     if (this.deformation !== settings.deformation || this.ghost !== settings.ghost) this.extent = null;
     [this.deformation, this.ghost] = [settings.deformation, settings.ghost];
     const field = scene.fields.findIndex((f) => f.name === settings.field);
-    bodies.colourBy(field < 0 ? null : field);
+    bodies.colourBy(field, field < 0 ? null : colourScale(scene.fields[field], settings));
     bodies.thickness = settings.thickness;
     bodies.ghost.visible = settings.ghost;
     grid.visible = settings.grid;

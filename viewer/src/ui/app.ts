@@ -13,6 +13,7 @@ import { ColourLegend } from "../overlay/legend";
 import { Tooltip } from "../overlay/tooltip";
 import { SidePanel } from "../panel/panel";
 import type { FrameBlend } from "../scene/blend";
+import { defaultField, keepRanges } from "../scene/fields";
 import { hasFailed, isModal, type Scene } from "../scene/scene";
 import { frameLabels } from "../scene/shapes";
 import type { Rectangle } from "../view/camera";
@@ -32,7 +33,11 @@ export class App {
   viewport: Viewport | null = null;
   private currentScene: Scene | null = null;
   private readonly charts = new Charts((x) => this.goToAbscissa(x));
-  private readonly panel = new SidePanel(this.charts, (frame) => this.selectShape(frame));
+  private readonly panel = new SidePanel(
+    this.charts,
+    (frame) => this.selectShape(frame),
+    () => this.requestDraw(),
+  );
   private readonly transport = new TransportBar(this.player);
   private readonly display = new DisplayOptions(this.settings);
   private readonly legend = new ColourLegend();
@@ -53,7 +58,8 @@ export class App {
     this.layout.overlay.append(this.triad.element, this.gridNote, this.legend.element, this.tooltip.element);
     this.settings.listen((name) => {
       const { values } = this.settings;
-      if (name === "field" && this.currentScene) this.legend.show(this.currentScene, values.field);
+      if (["field", "colourMap", "limits"].includes(name) && this.currentScene)
+        this.legend.show(this.currentScene, values);
       this.viewport?.apply(values);
       this.player.repeat = values.repeat;
       this.gridNote.hidden = !values.grid;
@@ -77,7 +83,8 @@ export class App {
   load(scene: Scene): void {
     scene.frames.labels = frameLabels(scene);
     const update = this.currentScene !== null;
-    if (!this.currentScene?.fields.length) this.settings.values.field = scene.fields[0]?.name ?? "";
+    if (!this.currentScene?.fields.length) this.settings.values.field = defaultField(scene);
+    if (this.currentScene) keepRanges(scene, this.currentScene);
     this.currentScene = scene;
     this.player.load(scene, update);
     this.abscissa = new Abscissa(scene);
@@ -86,10 +93,11 @@ export class App {
     this.charts.load(scene, this.abscissa);
     this.transport.load(scene);
     this.display.load(scene);
-    this.legend.show(scene, this.settings.values.field);
+    this.legend.show(scene, this.settings.values);
     this.loadViewport(scene);
     this.requestDraw();
-    const autoplay = !update && !scene.live && !hasFailed(scene) && this.viewport !== null;
+    const moves = scene.analysis !== "statics" && !scene.live && !hasFailed(scene);
+    const autoplay = !update && moves && this.viewport !== null;
     if (autoplay && !prefersReducedMotion()) this.player.toggle();
   }
 
@@ -162,7 +170,7 @@ export class App {
     const settings = this.settings.values;
     this.transport.update();
     this.charts.show(this.abscissa?.at(this.player.position) ?? null);
-    this.panel.markShape(Math.round(this.player.position));
+    this.panel.show(Math.round(this.player.position), blend, this.caption);
     if (!viewport || !labels || !scene || scene.frames.count === 0) return;
     viewport.draw(blend);
     this.triad.draw(viewport.camera.camera);

@@ -12,7 +12,9 @@ const VIEW_LABELS = { front: "Front", top: "Top", side: "Side", oblique: "3-D" }
 export function addButtons(app: App, theme: Theme, showHelp: () => void): void {
   const { tools, actions } = app.layout;
   for (const [i, view] of STANDARD_VIEWS.entries()) {
-    const button = iconButton(`${view} view (${i + 1})`, "", () => app.viewport?.camera.setView(view));
+    const button = iconButton(`${VIEW_LABELS[view]} view (${i + 1})`, "", () =>
+      app.viewport?.camera.setView(view),
+    );
     button.textContent = VIEW_LABELS[view];
     button.className = "text-button";
     tools.append(button);

@@ -17,11 +17,12 @@ export interface Settings {
   reactions: boolean;
   markers: boolean;
   grid: boolean;
+  shadows: boolean;
   /** True if the animation restarts at its end. */
   repeat: boolean;
 }
 
-export type Switch = "ghost" | "labels" | "nodes" | "reactions" | "markers" | "grid" | "repeat";
+export type Switch = "ghost" | "labels" | "nodes" | "reactions" | "markers" | "grid" | "shadows" | "repeat";
 
 /** Settings with listeners for their changes. */
 export class SettingsStore {
@@ -36,7 +37,7 @@ export class SettingsStore {
       labels: true,
       nodes: false,
     },
-    ...{ reactions: true, markers: true, grid: true, repeat: false },
+    ...{ reactions: true, markers: true, grid: true, shadows: true, repeat: false },
   };
   private readonly listeners: ((name: keyof Settings) => void)[] = [];
 

@@ -118,7 +118,7 @@ export class LogarithmicScale implements AxisScale {
 /** Share of the abscissa that counts as the start. */
 const START = 0.03;
 /** Factor by which a spike extends the range. */
-const SPIKE = 2;
+const SPIKE = 3;
 /** Smallest range after the start, relative to the whole range. */
 const MIN_SHARE = 1e-3;
 

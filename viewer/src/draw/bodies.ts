@@ -3,15 +3,34 @@
 import * as THREE from "three";
 import { automaticMap, colourTable, PALETTE } from "../base/colours";
 import type { ColourScale } from "../scene/fields";
-import type { Scene } from "../scene/scene";
+import type { Scene, Vector } from "../scene/scene";
 import { bodyBatches, type InstanceBatch, STRIDE } from "./batches";
 import type { PointTextures } from "./points";
 import { BODY_FRAGMENT, BODY_VERTEX } from "./shaders/bodies";
 import type { SharedUniforms } from "./uniforms";
 
+/** Plane on which shadows fall. */
+export interface Ground {
+  up: Vector;
+  level: number;
+  /** Height at which a shadow has faded to a third. */
+  fading: number;
+}
+
+/** Shadows cover each pixel once, whatever the number of bodies above it. */
+export const SHADOW: THREE.MaterialParameters = {
+  transparent: true,
+  premultipliedAlpha: true,
+  depthWrite: false,
+  ...{ stencilWrite: true, stencilRef: 1, stencilFunc: THREE.NotEqualStencilFunc },
+  stencilZPass: THREE.ReplaceStencilOp,
+  ...{ polygonOffset: true, polygonOffsetFactor: -1, polygonOffsetUnits: -1 },
+};
+
 export class BodyMeshes {
   readonly group = new THREE.Group();
   readonly ghost = new THREE.Group();
+  readonly shadows = new THREE.Group();
   private readonly uniforms: Record<string, THREE.IUniform>;
   private readonly ghostUniforms: Record<string, THREE.IUniform>;
   private readonly materials: THREE.ShaderMaterial[];
@@ -23,6 +42,7 @@ export class BodyMeshes {
     private readonly scene: Scene,
     private readonly points: PointTextures,
     shared: SharedUniforms,
+    ground: Ground,
   ) {
     this.field = emptyField();
     this.uniforms = {
@@ -34,6 +54,9 @@ export class BodyMeshes {
       thickness: { value: 1 },
       minPixels: { value: 1.25 },
       ghost: { value: false },
+      shadow: { value: false },
+      ground: { value: new THREE.Vector4(...ground.up, ground.level) },
+      fading: { value: ground.fading },
       coloured: { value: false },
       colours: { value: colourTexture(automaticMap(false)) },
       window: { value: new THREE.Vector2(0, 1) },
@@ -47,11 +70,15 @@ export class BodyMeshes {
       depthWrite: false,
       premultipliedAlpha: true,
     });
-    this.materials = [solid, transparent];
+    const shadow = bodyMaterial({ ...this.uniforms, shadow: { value: true } }, SHADOW);
+    this.materials = [solid, transparent, shadow];
     for (const batch of bodyBatches(scene)) {
       const geometry = instancedGeometry(batch);
       this.group.add(mesh(geometry, solid));
       this.ghost.add(mesh(geometry, transparent));
+      const flat = mesh(geometry, shadow);
+      flat.renderOrder = -1;
+      this.shadows.add(flat);
     }
   }
 
@@ -117,6 +144,8 @@ function instancedGeometry({ template, instances, count }: InstanceBatch): THREE
   geometry.setIndex(template.index);
   geometry.setAttribute("local", new THREE.Float32BufferAttribute(template.local, 3));
   geometry.setAttribute("localNormal", new THREE.Float32BufferAttribute(template.normal, 3));
+  const face = template.face.length > 0 ? template.face : new Array(2 * template.end.length).fill(0);
+  geometry.setAttribute("face", new THREE.Float32BufferAttribute(face, 2));
   geometry.setAttribute("end", new THREE.Float32BufferAttribute(template.end, 1));
   const data = new THREE.InstancedInterleavedBuffer(instances, STRIDE);
   const parts = { station: [1, 0], body: [1, 1], radius: [1, 2], startScale: [3, 3], endScale: [3, 6] };

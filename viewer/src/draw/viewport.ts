@@ -7,8 +7,8 @@ import { colourScale } from "../scene/fields";
 import type { Scene } from "../scene/scene";
 import { Camera, type Rectangle } from "../view/camera";
 import { type Extent, extentOf, type Spheres } from "../view/extent";
-import { BodyMeshes } from "./bodies";
-import { groundGrid } from "./grid";
+import { BodyMeshes, SHADOW } from "./bodies";
+import { groundGrid, groundLevel } from "./ground";
 import { ObstacleMeshes } from "./obstacles";
 import { PointTextures } from "./points";
 import { linkMesh, markerMesh, reactionMesh } from "./symbols";
@@ -25,6 +25,11 @@ interface Contents {
   markers: THREE.Object3D;
   reactions: THREE.Object3D;
 }
+
+/** Height at which shadows have faded to a third, relative to the size of the model. */
+const FADING = 0.15;
+/** Number of stations above which bodies have no shadows. */
+const MAX_SHADOW_STATIONS = 50_000;
 
 export class Viewport {
   readonly camera: Camera;
@@ -49,6 +54,7 @@ export class Viewport {
     const context = canvas.getContext("webgl2", {
       antialias: true,
       alpha: true,
+      stencil: true,
       powerPreference: "high-performance",
     });
     if (!context) throw new Error("no WebGL 2");
@@ -64,16 +70,21 @@ export class Viewport {
     [this.scene, this.extent] = [scene, null];
     const points = new PointTextures(scene);
     const shared = new SharedUniforms(points);
-    const bodies = new BodyMeshes(scene, points, shared);
+    const extent = this.framed();
+    const level = groundLevel(scene, extent);
+    const ground = { up: scene.up, level, fading: FADING * scene.size };
+    const bodies = new BodyMeshes(scene, points, shared, ground);
+    const shadow = new THREE.MeshBasicMaterial({ color: 0, opacity: 0.25, ...SHADOW });
     const contents: Contents = {
       ...{ scene, points, shared, bodies },
-      obstacles: new ObstacleMeshes(scene),
-      grid: groundGrid(scene),
+      obstacles: new ObstacleMeshes(scene, extent, level, shadow),
+      grid: groundGrid(scene, extent),
       markers: markerMesh(scene, points, shared),
-      reactions: reactionMesh(scene, points, shared, this.framed().arrow),
+      reactions: reactionMesh(scene, points, shared, extent.arrow),
     };
     this.contents = contents;
     this.world.add(contents.grid, bodies.ghost, bodies.group, contents.obstacles.group);
+    this.world.add(bodies.shadows, contents.obstacles.shadows);
     if (scene.links.length > 0) this.world.add(linkMesh(scene, points, shared));
     if (scene.reactions.length > 0) this.world.add(contents.reactions);
     if (scene.markers.length > 0) this.world.add(contents.markers);
@@ -97,7 +108,7 @@ export class Viewport {
     this.world.traverse((object) => {
       if (object instanceof THREE.Mesh || object instanceof THREE.LineSegments) {
         object.geometry.dispose();
-        object.material.dispose();
+        for (const material of [object.material].flat()) material.dispose();
       }
     });
     this.world.clear();
@@ -114,7 +125,7 @@ export class Viewport {
   /** Applies the display options. */
   apply(settings: Settings): void {
     if (!this.contents) return;
-    const { scene, bodies, grid, markers, reactions } = this.contents;
+    const { scene, bodies, obstacles, grid, markers, reactions } = this.contents;
     if (this.deformation !== settings.deformation || this.ghost !== settings.ghost) this.extent = null;
     [this.deformation, this.ghost] = [settings.deformation, settings.ghost];
     const field = scene.fields.findIndex((f) => f.name === settings.field);
@@ -122,6 +133,8 @@ export class Viewport {
     bodies.thickness = settings.thickness;
     bodies.ghost.visible = settings.ghost;
     grid.visible = settings.grid;
+    const shadows = settings.shadows && scene.stations <= MAX_SHADOW_STATIONS;
+    for (const group of [bodies.shadows, obstacles.shadows]) group.visible = shadows;
     markers.visible = settings.markers;
     reactions.visible = settings.reactions;
     this.requestDraw();
@@ -182,13 +195,34 @@ export class Viewport {
     return box;
   }
 
-  /** Share of the canvas (0 to 1) that objects other than the grid cover. */
+  /** Red, green, blue and opacity (0 to 255) of the 3-D view at a point in CSS pixels. */
+  pixel(x: number, y: number, blend: FrameBlend): number[] {
+    this.draw(blend);
+    const gl = this.renderer.getContext();
+    const bytes = new Uint8Array(4);
+    const factor = gl.drawingBufferHeight / Math.max(1, this.height);
+    gl.readPixels(
+      Math.floor(x * factor),
+      Math.floor((this.height - y) * factor),
+      1,
+      1,
+      gl.RGBA,
+      gl.UNSIGNED_BYTE,
+      bytes,
+    );
+    this.requestDraw();
+    return [...bytes];
+  }
+
+  /** Share of the canvas (0 to 1) that objects other than grid and shadows cover. */
   coverage(blend: FrameBlend): number {
     if (!this.contents) return 0;
     const { visible } = this.contents.grid;
-    this.contents.grid.visible = false;
+    const { shadows } = this.contents.bodies;
+    const shadowed = shadows.visible;
+    [this.contents.grid.visible, shadows.visible] = [false, false];
     this.draw(blend);
-    this.contents.grid.visible = visible;
+    [this.contents.grid.visible, shadows.visible] = [visible, shadowed];
     const gl = this.renderer.getContext();
     const bytes = new Uint8Array(4 * gl.drawingBufferWidth * gl.drawingBufferHeight);
     gl.readPixels(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight, gl.RGBA, gl.UNSIGNED_BYTE, bytes);

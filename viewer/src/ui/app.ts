@@ -5,7 +5,7 @@ import { SettingsStore } from "../base/settings";
 import { formatQuantity } from "../base/units";
 import { Abscissa } from "../charts/abscissa";
 import { Charts } from "../charts/charts";
-import { gridSpacing } from "../draw/grid";
+import { gridSpacing } from "../draw/ground";
 import { Triad } from "../draw/triad";
 import { Viewport } from "../draw/viewport";
 import { Labels } from "../overlay/labels";

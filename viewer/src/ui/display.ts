@@ -14,6 +14,7 @@ const SWITCHES: [name: Switch, label: string, key: string][] = [
   ["reactions", "reactions", "r"],
   ["markers", "joints, probes, loads", "m"],
   ["grid", "grid", ""],
+  ["shadows", "shadows", ""],
   ["repeat", "repeat", "o"],
 ];
 

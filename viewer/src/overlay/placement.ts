@@ -25,7 +25,7 @@ const DIRECTIONS = [
 
 /** Box to place beside a point. */
 export interface PlacedBox {
-  point: [number, number];
+  point: Point;
   width: number;
   height: number;
 }
@@ -42,47 +42,87 @@ export function slotRectangle({ point, width, height }: PlacedBox, slot: number)
   return { left, top, right: left + width, bottom: top + height };
 }
 
-/** Occupied rectangles of a view. */
+type Point = [number, number];
+type Segment = [Point, Point];
+
+/** True if a segment has a point in a rectangle (Liang & Barsky, 1984). */
+function crosses([[x0, y0], [x1, y1]]: Segment, { left, top, right, bottom }: Rectangle): boolean {
+  let [from, to] = [0, 1];
+  for (const [p, q] of [
+    [x0 - x1, x0 - left],
+    [x1 - x0, right - x0],
+    [y0 - y1, y0 - top],
+    [y1 - y0, bottom - y0],
+  ]) {
+    if (p === 0 && q < 0) return false;
+    if (p < 0) from = Math.max(from, q / p);
+    if (p > 0) to = Math.min(to, q / p);
+  }
+  return from < to;
+}
+
+/** Occupied rectangles and lines of a view. */
 export class Occupancy {
-  private readonly taken: Rectangle[];
+  private readonly boxes: Rectangle[] = [];
+  private readonly lines: Segment[] = [];
 
   constructor(
     private readonly width: number,
     private readonly height: number,
-    covered: Rectangle[],
-    private readonly points: [number, number][],
-  ) {
-    this.taken = [...covered];
-  }
+    private readonly covered: Rectangle[],
+    private readonly points: Point[],
+  ) {}
 
-  /** Placement of a box in the first free slot, starting with `preferred`; -1 if there is none. */
+  /**
+   * Placement of a box in the nearest free slot; -1 if there is none. Of several at the same distance, `preferred` is the
+   * first. Boxes do not cover symbols and lines of other boxes unless there is no other slot.
+   */
   place(box: PlacedBox, preferred: number, slots: number): number {
-    for (const avoidPoints of [true, false]) {
-      for (let i = -1; i < slots; i++) {
-        const slot = i < 0 ? preferred : i;
-        const rectangle = slotRectangle(box, slot);
-        if (slot >= slots || !this.isFree(rectangle, avoidPoints ? box.point : null)) continue;
-        this.taken.push(rectangle);
-        return slot;
+    const directions = DIRECTIONS.length;
+    for (const strict of [true, false]) {
+      for (let first = 0; first < slots; first += directions) {
+        const start = preferred >= first && preferred < first + directions ? -1 : 0;
+        for (let i = start; i < directions; i++) {
+          const slot = i < 0 ? preferred : first + i;
+          if (this.occupy(box, slot, strict)) return slot;
+        }
       }
     }
     return -1;
   }
 
-  /** True if a rectangle is free; with `own`, also of the symbols at other points. */
-  private isFree({ left, top, right, bottom }: Rectangle, own: [number, number] | null): boolean {
+  /** Occupies a slot. Returns false, without a change, if it is not free. */
+  private occupy(box: PlacedBox, slot: number, strict: boolean): boolean {
+    const rectangle = slotRectangle(box, slot);
+    const line: Segment = [box.point, nearestPoint(rectangle, box.point)];
+    if (!this.isFree(rectangle) || (strict && !this.isClear(rectangle, line))) return false;
+    this.boxes.push(rectangle);
+    this.lines.push(line);
+    return true;
+  }
+
+  /** True if a rectangle is inside the view and overlaps no other one. */
+  private isFree({ left, top, right, bottom }: Rectangle): boolean {
     if (left < GAP || top < GAP || right > this.width - GAP || bottom > this.height - GAP) return false;
-    for (const t of this.taken) {
-      if (left < t.right + GAP && t.left < right + GAP && top < t.bottom + GAP && t.top < bottom + GAP)
-        return false;
+    for (const list of [this.covered, this.boxes]) {
+      for (const t of list) {
+        if (left < t.right + GAP && t.left < right + GAP && top < t.bottom + GAP && t.top < bottom + GAP)
+          return false;
+      }
     }
-    if (!own) return true;
+    return true;
+  }
+
+  /** True if a rectangle covers no symbol of another point, and neither it nor its line crosses others. */
+  private isClear(rectangle: Rectangle, line: Segment): boolean {
+    const { left, top, right, bottom } = rectangle;
+    const [own] = line;
     for (const [x, y] of this.points) {
       const apart = Math.abs(x - own[0]) > SYMBOL || Math.abs(y - own[1]) > SYMBOL;
       if (apart && x > left - SYMBOL && x < right + SYMBOL && y > top - SYMBOL && y < bottom + SYMBOL)
         return false;
     }
-    return true;
+    return !this.boxes.some((box) => crosses(line, box)) && !this.lines.some((l) => crosses(l, rectangle));
   }
 }
 

@@ -60,13 +60,14 @@ export function defaultField(scene: Scene): string {
   return (hasBeams && stress ? stress : scene.fields[0])?.name ?? "";
 }
 
-/** Five values in the unit for display from the top to the bottom of the colour map, without noise. */
+/** Five values in the unit for display from the top to the bottom of the colour map, rounded to 1e-4 of the range. */
 export function legendValues(scene: Scene, field: Field, { low, high, unit }: ColourScale): number[] {
   const sameUnit = scene.fields.filter((f) => f === field || (f.unit === field.unit && f.unit !== ""));
   const reference = Math.max(...sameUnit.map((f) => largestMagnitude(f.range)));
-  const noise = SIGN_NOISE * Math.max(Math.abs(low), Math.abs(high));
+  const step = 10 ** Math.floor(Math.log10(Math.max(high - low, 1e-300)) - 4);
   const value = (i: number) => (low === -high && i === 2 ? 0 : high + (i / 4) * (low - high));
   return [0, 1, 2, 3, 4]
-    .map((i) => (Math.abs(value(i)) < noise ? 0 : suppressNoise(value(i), reference)))
+    .map((i) => suppressNoise(value(i), reference))
+    .map((x) => (Math.abs(x) < step ? 0 : x))
     .map((x) => x / unit.size);
 }

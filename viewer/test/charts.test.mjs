@@ -15,7 +15,7 @@ import {
   stationPosition,
 } from "./support/browser.mjs";
 import { cantilever, tipDeflection } from "./support/cantilever.mjs";
-import { f64 } from "./support/container.mjs";
+import { chartScene } from "./support/charts.mjs";
 
 let browser;
 before(async () => {
@@ -134,7 +134,7 @@ describe("charts", () => {
   test("charts have groups and logarithmic axes", async () => {
     const { tab, problems } = await open(browser, cantilever());
     await tab.click('[data-group="solver"]');
-    const titles = await tab.$$eval(".chart h3", (all) => all.map((e) => e.firstChild.textContent));
+    const titles = await tab.$$eval(".chart h2", (all) => all.map((e) => e.firstChild.textContent));
     assert.deepEqual(titles, ["step size", "iterations"]);
     assert.match(await tab.$eval(".chart", (e) => e.textContent), /logarithmic/);
     await setTime(tab, 0.5);
@@ -146,23 +146,6 @@ describe("charts", () => {
     await tab.close();
   });
 });
-
-/** Scene with charts of a few rows; columns are [label, unit, numbers]. */
-function chartScene(charts) {
-  const count = charts[0].columns[0][2].length;
-  const times = Array.from({ length: count }, (_, i) => (count > 1 ? (2 * i) / (count - 1) : 0));
-  return {
-    ...cantilever({ frames: 3 }),
-    abscissa: { name: "t", unit: "s", values: f64(times) },
-    charts: charts.map(({ title, columns, log = false }) => ({
-      ...{ title, group: "probes", log },
-      columns: columns.map(([label, unit, values, errors]) => ({
-        ...{ name: label, label, unit, values: f64(values) },
-        ...(errors ? { errors: f64(errors) } : {}),
-      })),
-    })),
-  };
-}
 
 /** Records the labels that the charts draw on their canvases. */
 const recordLabels = () => {
@@ -246,9 +229,7 @@ describe("charts of extreme values", () => {
       { title: "tip: velocity", columns: [["vx", "m/s", [0, 1, 0.5]]] },
     ]);
     const { tab, problems } = await open(browser, scene, { before: recordLabels });
-    await setTime(tab, 1);
-    await settle(tab);
-    assert.equal(await legendValue(tab, "vx"), 0);
+    assert.equal(await tab.$eval(".constant li", (e) => e.textContent), "root: velocity: vx 0 m/s");
     const found = await drawnLabels(tab);
     assert.ok(!found.some((t) => /e−/.test(t)), found.join(" "));
     assert.deepEqual(problems, []);

@@ -120,6 +120,47 @@ test("a frame of 100 000 stations uploads no data", async () => {
   await tab.close();
 });
 
+test("a frame of 100 000 vertices has few draw calls and changes of the page, and reads no layout", async () => {
+  const before = () => {
+    window.counts = { draws: 0, bytes: 0, layouts: 0, changes: 0, frames: 0 };
+    const { counts } = window;
+    const count = (prototype, name, key) => {
+      const original = prototype[name];
+      prototype[name] = function (...a) {
+        counts[key] += key === "bytes" ? a.reduce((sum, x) => sum + (x?.byteLength ?? 0), 0) : 1;
+        return original.apply(this, a);
+      };
+    };
+    for (const name of ["drawElements", "drawElementsInstanced", "drawArrays"])
+      count(WebGL2RenderingContext.prototype, name, "draws");
+    for (const name of ["bufferData", "bufferSubData", "texImage2D", "texSubImage2D"])
+      count(WebGL2RenderingContext.prototype, name, "bytes");
+    count(Element.prototype, "getBoundingClientRect", "layouts");
+  };
+  // 100 beams with 40 stations and 24 corners of the section.
+  const { tab, problems } = await open(browser, manyBeams(100, 40, 30), { before });
+  await tab.evaluate(() => {
+    Object.assign(window.counts, { draws: 0, bytes: 0, layouts: 0, changes: 0 });
+    const observer = new MutationObserver((records) => {
+      window.counts.changes += records.length;
+    });
+    const all = { subtree: true, childList: true, attributes: true, characterData: true };
+    observer.observe(document.body, all);
+  });
+  const frames = 10;
+  for (let i = 0; i < frames; i++) {
+    await tab.evaluate((x) => window.ancf.setTime(x), (29 * (i + 0.5)) / frames);
+    await settle(tab);
+  }
+  const { draws, bytes, layouts, changes } = await tab.evaluate(() => window.counts);
+  assert.equal(bytes, 0);
+  assert.equal(layouts, 0);
+  assert.ok(draws > 0 && draws <= 12 * frames, `${draws / frames} draw calls per frame`);
+  assert.ok(changes <= 60 * frames, `${changes / frames} changes of the page per frame`);
+  assert.deepEqual(problems, []);
+  await tab.close();
+});
+
 test("a live run is followed, at the end if the time was at the end", async () => {
   let scene = cantilever({ frames: 11, until: 0.5, live: true });
   let [version, answers, unchanged] = [1, 0, 0];

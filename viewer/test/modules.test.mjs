@@ -7,7 +7,7 @@ import { test } from "node:test";
 
 const SOURCES = resolve(import.meta.dirname, "../src");
 /** Folders from the bottom to the top. Imports between folders point to a lower folder. */
-const FOLDERS = ["base", "scene", "draw/shaders", "draw", "charts", "overlay", "ui", "."];
+const FOLDERS = ["base", "scene", "view", "draw/shaders", "draw", "charts", "overlay", "panel", "ui", "."];
 const MAX_FILES = 12;
 const MAX_LINES = 400;
 
@@ -16,7 +16,7 @@ const files = readdirSync(SOURCES, { recursive: true }).filter((path) => path.en
 /** Modules of the viewer that a file imports. */
 function imports(file) {
   const text = readFileSync(join(SOURCES, file), "utf8");
-  return [...text.matchAll(/from "(\.[^"]*)"/g)].map(
+  return [...text.matchAll(/from "(\.[^"]*)(?<!\.json)"/g)].map(
     ([, path]) => `${relative(SOURCES, resolve(SOURCES, dirname(file), path))}.ts`,
   );
 }

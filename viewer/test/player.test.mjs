@@ -43,6 +43,14 @@ test("a run opens at its start, a failed run at its end", () => {
   assert.equal(player.time, 2);
 });
 
+test("statics open at the last state", () => {
+  const player = newPlayer();
+  player.load(scene(1, { analysis: "statics" }), false);
+  assert.equal(player.time, 1);
+  player.load(scene(1, { analysis: "path" }), false);
+  assert.equal(player.time, 0);
+});
+
 test("shapes open at the first one that is not rigid", () => {
   const player = newPlayer();
   const labels = ["mode 1: rigid", "mode 2: rigid", "mode 3: 1.5 Hz"];

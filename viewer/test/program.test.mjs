@@ -1,45 +1,18 @@
 // Reports of runs of the program: the path in the variable ANCF, or the debug build.
 
 import assert from "node:assert/strict";
-import { spawn, spawnSync } from "node:child_process";
-import { existsSync, mkdtempSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
-import { join, resolve } from "node:path";
+import { spawn } from "node:child_process";
+import { existsSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
 import { after, before, test } from "node:test";
-import {
-  assertNear,
-  close,
-  folder,
-  launch,
-  open,
-  setTime,
-  settle,
-  stationPosition,
-} from "./support/browser.mjs";
-
-const root = resolve(import.meta.dirname, "../..");
-const program = process.env.ANCF ?? join(root, "target/debug/ancf");
+import { assertNear, close, launch, open, setTime, settle, stationPosition } from "./support/browser.mjs";
+import { newFolder, program, root, runReport } from "./support/models.mjs";
 
 let browser;
 before(async () => {
   browser = await launch();
 });
 after(() => close(browser));
-
-function ancf(...args) {
-  const done = spawnSync(program, args, { cwd: root, encoding: "utf8" });
-  assert.equal(done.status, 0, done.stderr);
-  return done.stdout;
-}
-
-const newFolder = () => mkdtempSync(join(folder, "run-"));
-
-/** Runs a model and returns its folder and report. */
-function runReport(model) {
-  const dir = newFolder();
-  ancf("run", model, "-o", dir, "--quiet");
-  const file = ancf("report", dir).trim();
-  return { dir, html: readFileSync(file, "utf8") };
-}
 
 const columns = (dir) => {
   const [names, ...rows] = readFileSync(join(dir, "probes.csv"), "utf8").trim().split("\n");

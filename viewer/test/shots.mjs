@@ -1,4 +1,4 @@
-// Screenshots of the viewer in several states, for visual inspection: `node test/shots.mjs DIR [NAMES]`.
+// Screenshots of the viewer in several states and of all models, for visual inspection: `node test/shots.mjs DIR [NAMES]`.
 
 import { mkdirSync } from "node:fs";
 import { join } from "node:path";
@@ -6,6 +6,7 @@ import { manyBeams } from "./support/beams.mjs";
 import { close, launch, open, settle } from "./support/browser.mjs";
 import { cantilever } from "./support/cantilever.mjs";
 import { machine } from "./support/machine.mjs";
+import { modelNames, modelPage } from "./support/models.mjs";
 import { frequencies, modes } from "./support/shapes.mjs";
 
 const folder = process.argv[2] ?? "shots";
@@ -41,10 +42,25 @@ const SHOTS = [
   ["empty", cantilever({ frames: 1 }), {}, press([])],
 ];
 
+const SMALL = { width: 400, height: 800 };
+const LARGE = { width: 1400, height: 900 };
+const middle = (tab) =>
+  tab.$eval("input.time-slider", (e) => {
+    e.value = String(0.37 * Number(e.max));
+    e.dispatchEvent(new Event("input"));
+  });
+for (const name of modelNames) {
+  const html = () => modelPage(name);
+  SHOTS.push([name, null, { viewport: LARGE, html }, middle]);
+  SHOTS.push([`${name}-dark`, null, { viewport: LARGE, theme: "dark", html }, middle]);
+  SHOTS.push([`${name}-phone`, null, { viewport: SMALL, html }, middle]);
+}
+
 const browser = await launch();
 for (const [name, scene, options, act] of SHOTS) {
   if (process.argv[3] && !process.argv[3].split(",").includes(name)) continue;
-  const { tab, problems } = await open(browser, scene, options);
+  const { html } = options;
+  const { tab, problems } = await open(browser, scene, html ? { ...options, html: html() } : options);
   await act(tab);
   await settle(tab);
   await tab.screenshot({ path: join(folder, `${name}.png`) });

@@ -15,11 +15,6 @@ export function formatNumber(x: number, digits = 4): string {
   return short.replace(/-/g, "−");
 }
 
-/** Formats a number with its unit. */
-export function formatQuantity(x: number, unit: string): string {
-  return unit === "" ? formatNumber(x) : `${formatNumber(x)} ${unit}`;
-}
-
 /** Returns the number, or zero if it is rounding noise relative to `reference`. */
 export function suppressNoise(x: number, reference: number): number {
   return Math.abs(x) < ROUNDING_NOISE * reference ? 0 : x;
@@ -33,6 +28,18 @@ export function largestMagnitude(values: ArrayLike<number>): number {
     if (size > largest && Number.isFinite(size)) largest = size;
   }
   return largest;
+}
+
+/** Smallest and largest finite value; null if there is none. */
+export function valueRange(values: ArrayLike<number>): [number, number] | null {
+  let [low, high] = [Infinity, -Infinity];
+  for (let i = 0; i < values.length; i++) {
+    const x = values[i];
+    if (!Number.isFinite(x)) continue;
+    if (x < low) low = x;
+    if (x > high) high = x;
+  }
+  return low <= high ? [low, high] : null;
 }
 
 /** Smallest round number (1, 2 or 5 times a power of ten) not below `x`. */

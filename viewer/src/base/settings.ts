@@ -3,6 +3,10 @@
 export interface Settings {
   /** Name of the field that colours the bodies, "" for none. */
   field: string;
+  /** Name of the colour map, "" for the automatic one. */
+  colourMap: string;
+  /** Smallest and largest coloured value of fields by name; null for those of the data. */
+  limits: Record<string, [number | null, number | null]>;
   /** Scale factor of the displacements from the reference configuration. */
   deformation: number;
   /** Scale factor of the sections. */
@@ -13,17 +17,27 @@ export interface Settings {
   reactions: boolean;
   markers: boolean;
   grid: boolean;
+  shadows: boolean;
   /** True if the animation restarts at its end. */
   repeat: boolean;
 }
 
-export type Switch = "ghost" | "labels" | "nodes" | "reactions" | "markers" | "grid" | "repeat";
+export type Switch = "ghost" | "labels" | "nodes" | "reactions" | "markers" | "grid" | "shadows" | "repeat";
 
 /** Settings with listeners for their changes. */
 export class SettingsStore {
   readonly values: Settings = {
-    ...{ field: "", deformation: 1, thickness: 1, ghost: false, labels: true, nodes: false },
-    ...{ reactions: true, markers: true, grid: true, repeat: false },
+    ...{
+      field: "",
+      colourMap: "",
+      limits: {},
+      deformation: 1,
+      thickness: 1,
+      ghost: false,
+      labels: true,
+      nodes: false,
+    },
+    ...{ reactions: true, markers: true, grid: true, shadows: true, repeat: false },
   };
   private readonly listeners: ((name: keyof Settings) => void)[] = [];
 

@@ -2,14 +2,13 @@
 
 import type uPlot from "uplot";
 import { cssColour, paletteColour } from "../base/colours";
-import type { Chart } from "../scene/scene";
-import type { AxisScale } from "./scales";
+import type { Panel } from "./options";
 
 /** Opacity of a band. */
 const OPACITY = 0.22;
 
-/** Returns a hook of uPlot that draws the bands behind the curves of a chart. */
-export function bandHook(chart: Chart, scale: AxisScale): (plot: uPlot) => void {
+/** Returns a hook of uPlot that draws the bands behind the curves. */
+export function bandHook({ chart, columns, scale }: Panel): (plot: uPlot) => void {
   return (plot) => {
     const { ctx, bbox } = plot;
     ctx.save();
@@ -17,13 +16,14 @@ export function bandHook(chart: Chart, scale: AxisScale): (plot: uPlot) => void 
     ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
     ctx.clip();
     ctx.globalAlpha = OPACITY;
-    chart.columns.forEach((column, i) => {
+    columns.forEach((number, i) => {
+      const column = chart.columns[number];
       if (!column.errors || !plot.series[i + 1].show) return;
-      ctx.fillStyle = cssColour(paletteColour(i));
+      ctx.fillStyle = cssColour(paletteColour(number));
       for (const part of bandParts(plot.data[0], column.values, column.errors)) {
         const at = (row: number, sign: number): [number, number] => {
           const value = column.values[row] + sign * Math.abs(column.errors?.[row] ?? 0);
-          const coordinate = scale.coordinate(value, i) ?? Number.NaN;
+          const coordinate = scale.coordinate(value, number) ?? Number.NaN;
           return [plot.valToPos(plot.data[0][row], "x", true), plot.valToPos(coordinate, "y", true)];
         };
         ctx.beginPath();

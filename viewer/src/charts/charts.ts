@@ -1,10 +1,14 @@
 // Charts of probes, energies and the solver, linked to the time of the animation.
 
 import { h } from "../base/dom";
-import type { Scene } from "../scene/scene";
+import { energyUnit } from "../base/units";
+import type { Chart, Scene } from "../scene/scene";
 import type { Abscissa } from "./abscissa";
+import { ChartFigure, type FigureState } from "./figure";
 import { ColumnMagnitudes } from "./magnitudes";
-import { ChartPlot } from "./plot";
+import { SharedMargin } from "./margin";
+import { type RankedChart, rankCharts } from "./ranking";
+import { constantsText } from "./table";
 
 /** All charts by groups. Only the plots of the selected group exist. */
 export class Charts {
@@ -15,8 +19,10 @@ export class Charts {
     "aria-label": "groups of charts",
   });
   private readonly list = h("div", { class: "list" });
-  private plots: ChartPlot[] = [];
-  private scene: Scene | null = null;
+  private figures: ChartFigure[] = [];
+  /** Switches of the charts by title. */
+  private readonly states = new Map<string, FigureState>();
+  private all: Chart[] = [];
   private abscissa: Abscissa | null = null;
   private magnitudes = new ColumnMagnitudes([]);
   private group = "";
@@ -26,14 +32,15 @@ export class Charts {
     this.element.append(this.groupButtons, this.list);
     new ResizeObserver(() => {
       const width = this.list.clientWidth;
-      if (width > 0) for (const plot of this.plots) plot.resize(width);
+      if (width > 0) for (const figure of this.figures) figure.resize(width);
     }).observe(this.list);
   }
 
   load(scene: Scene, abscissa: Abscissa): void {
-    [this.scene, this.abscissa] = [scene, abscissa];
-    this.magnitudes = new ColumnMagnitudes(scene.charts);
-    const groups = [...new Set(scene.charts.map((c) => c.group))];
+    this.abscissa = abscissa;
+    this.all = scene.charts.map((chart) => (chart.group === "energy" ? inJoules(chart) : chart));
+    this.magnitudes = new ColumnMagnitudes(this.all);
+    const groups = [...new Set(this.all.map((c) => c.group))];
     if (!groups.includes(this.group)) this.group = groups[0] ?? "";
     this.groupButtons.replaceChildren(
       ...groups.map((name) =>
@@ -54,24 +61,65 @@ export class Charts {
 
   /** Creates the plots of the selected group in the colours of the theme. */
   rebuild(): void {
-    for (const plot of this.plots) plot.destroy();
-    this.plots = [];
-    const { scene, abscissa } = this;
-    if (!scene || !abscissa) return;
+    for (const figure of this.figures) figure.destroy();
+    this.figures = [];
+    const { abscissa, magnitudes } = this;
+    if (!abscissa) return;
     for (const button of this.groupButtons.querySelectorAll("button")) {
       button.setAttribute("aria-pressed", String(button.dataset.group === this.group));
     }
     const width = Math.max(200, this.list.clientWidth || 360);
-    const charts = abscissa.xs.length > 0 ? scene.charts.filter((c) => c.group === this.group) : [];
-    this.plots = charts.map((c) => new ChartPlot(c, this.magnitudes, abscissa, this.select, width));
+    const charts = abscissa.xs.length > 0 ? this.all.filter((c) => c.group === this.group) : [];
+    const ranking = rankCharts(charts, magnitudes, abscissa.discrete);
+    const margin = new SharedMargin();
+    const context = { abscissa, magnitudes, margin, select: this.select };
+    const figure = (ranked: RankedChart, index: number): ChartFigure =>
+      new ChartFigure(ranked, context, this.stateOf(ranked.chart), width, (button) => {
+        const next = figure(ranked, index);
+        this.figures[index].element.replaceWith(next.element);
+        this.figures[index].destroy();
+        this.figures[index] = next;
+        margin.settle();
+        next.show(this.x);
+        next.focus(button);
+      });
+    this.figures = ranking.charts.map(figure);
+    margin.settle();
     const none = h("p", { class: "empty" }, "No history was recorded.");
-    this.list.replaceChildren(...(charts.length > 0 ? this.plots.map((p) => p.element) : [none]));
+    const elements = this.figures.map((figure) => figure.element);
+    this.list.replaceChildren(
+      ...(charts.length > 0 ? elements : [none]),
+      ...this.constantCharts(ranking.constant),
+    );
     this.show(this.x);
+  }
+
+  private stateOf({ group, title }: Chart): FigureState {
+    const key = `${group}\n${title}`;
+    const state = this.states.get(key) ?? { log: false, wholeRange: false };
+    this.states.set(key, state);
+    return state;
+  }
+
+  /** List of the charts without variation. */
+  private constantCharts(charts: Chart[]): HTMLElement[] {
+    if (charts.length === 0) return [];
+    const items = charts.map((chart) => {
+      const all = chart.columns.map((_, i) => i);
+      return h("li", {}, h("b", {}, chart.title), `: ${constantsText(chart, all, this.magnitudes)}`);
+    });
+    const title = charts.length === 1 ? "1 constant quantity" : `${charts.length} constant quantities`;
+    return [h("details", { class: "constant" }, h("summary", {}, title), h("ul", {}, ...items))];
   }
 
   /** Shows the values at `x` in all charts. */
   show(x: number | null): void {
     this.x = x;
-    for (const plot of this.plots) plot.show(x);
+    for (const figure of this.figures) figure.show(x);
   }
+}
+
+/** Chart of energies with their SI unit. */
+function inJoules(chart: Chart): Chart {
+  return { ...chart, columns: chart.columns.map((c) => ({ ...c, unit: energyUnit(c.unit) })) };
 }

@@ -1,23 +1,33 @@
-// Largest magnitudes of comparable columns, the reference for rounding noise.
+// Largest magnitudes and variations of comparable columns, the references for rounding noise and ranking.
 
-import { largestMagnitude } from "../base/numbers";
+import { largestMagnitude, valueRange } from "../base/numbers";
 import type { Chart, Column } from "../scene/scene";
 
-/** Largest magnitude of the columns of a group with the same unit. Columns without one are compared by chart title. */
+/** Largest values of the columns of a group with the same unit. Columns without one are compared by chart title. */
 export class ColumnMagnitudes {
-  private readonly largest = new Map<string, number>();
+  private readonly largest = new Map<string, [magnitude: number, variation: number]>();
 
   constructor(charts: Chart[]) {
     for (const chart of charts) {
       for (const column of chart.columns) {
         const key = comparisonKey(chart, column);
-        this.largest.set(key, Math.max(this.largest.get(key) ?? 0, largestMagnitude(column.values)));
+        const [magnitude, variation] = this.largest.get(key) ?? [0, 0];
+        const [low, high] = valueRange(column.values) ?? [0, 0];
+        this.largest.set(key, [
+          Math.max(magnitude, largestMagnitude(column.values)),
+          Math.max(variation, high - low),
+        ]);
       }
     }
   }
 
   of(chart: Chart, column: Column): number {
-    return this.largest.get(comparisonKey(chart, column)) ?? 0;
+    return this.largest.get(comparisonKey(chart, column))?.[0] ?? 0;
+  }
+
+  /** Largest variation of comparable columns. */
+  variation(chart: Chart, column: Column): number {
+    return this.largest.get(comparisonKey(chart, column))?.[1] ?? 0;
   }
 }
 

@@ -2,32 +2,33 @@
 
 import type uPlot from "uplot";
 import { cssColour, paletteColour } from "../base/colours";
-import { formatQuantity } from "../base/numbers";
+import { formatNumber } from "../base/numbers";
+import { type DisplayUnit, displayUnit, formatQuantity } from "../base/units";
 import type { Chart } from "../scene/scene";
 import type { Abscissa } from "./abscissa";
+import type { SharedMargin } from "./margin";
 import { type AxisRange, type AxisScale, paddedRange } from "./scales";
 import { type Coordinates, isolatedPoints, logTicks, tickLabels } from "./ticks";
 
-/** Chart with its axes and the coordinates of each column. */
-export interface PreparedChart {
+/** Curves with common axes. */
+export interface Panel {
   chart: Chart;
+  /** Indices of the columns that are drawn. */
+  columns: number[];
   abscissa: Abscissa;
   scale: AxisScale;
+  /** Coordinates of the drawn columns. */
   coordinates: Coordinates[];
+  /** Unit of the values for display. */
+  unit: DisplayUnit;
+  margin: SharedMargin;
+  /** Range of the vertical axis without a spike; null for the range of the values. */
+  reduced: () => AxisRange | null;
 }
-
-/** Height of a chart in CSS pixels. */
-export const HEIGHT = 206;
 
 /** Value of a CSS custom property. */
 function cssProperty(name: string): string {
   return getComputedStyle(document.documentElement).getPropertyValue(name).trim();
-}
-
-/** Unit that all columns share, "" if they differ. */
-export function commonUnit(chart: Chart): string {
-  const first = chart.columns[0]?.unit ?? "";
-  return chart.columns.every((c) => c.unit === first) ? first : "";
 }
 
 /** Range of the whole abscissa. */
@@ -42,35 +43,38 @@ function isZoomed({ xs }: Abscissa, low: number, high: number): boolean {
   return xs.length > 1 && high > low && !(low === xs[0] && high === xs[xs.length - 1]);
 }
 
-export function plotOptions(prepared: PreparedChart, width: number): uPlot.Options {
-  const { chart, abscissa, scale } = prepared;
+export function plotOptions(panel: Panel, width: number, height: number): uPlot.Options {
+  const { abscissa, scale, columns, reduced } = panel;
+  const end = abscissa.xs.at(-1);
   return {
-    ...{ width, height: HEIGHT, padding: [8, 14, 0, 0] },
+    ...{ width, height, padding: [8, 14, 0, 0] },
     cursor: { drag: { x: false, y: false }, sync: { key: "ancf" }, points: { size: 6 } },
     scales: {
       x: {
         time: false,
         range: (_, low, high) => (isZoomed(abscissa, low, high) ? [low, high] : fullRange(abscissa)),
       },
-      y: { range: (_, low, high) => scale.range(low, high) },
+      y: { range: (_, low, high) => scale.range(...(reduced() ?? [low, high])) },
     },
-    axes: axes(prepared),
+    axes: axes(panel),
     legend: { live: true },
     series: [
-      { label: abscissa.label, value: (_, v) => (v == null ? "–" : formatQuantity(v, abscissa.unit)) },
-      ...chart.columns.map((_, i) => series(prepared, i)),
+      { label: abscissa.label, value: (_, v) => (v == null ? "–" : formatQuantity(v, abscissa.unit, end)) },
+      ...columns.map((_, i) => series(panel, i)),
     ],
   };
 }
 
-function axes({ chart, abscissa, scale }: PreparedChart): uPlot.Axis[] {
+function axes({ chart, abscissa, scale, unit, margin }: Panel): uPlot.Axis[] {
   const [ink, rule] = [cssProperty("--ink-2"), cssProperty("--rule")];
   const axis = { stroke: ink, grid: { stroke: rule, width: 1 }, ticks: { stroke: rule, width: 1, size: 4 } };
   const font = "11px system-ui, sans-serif";
-  const xLabels = (_: uPlot, ticks: Coordinates) => tickLabels(ticks);
+  const time = displayUnit(abscissa.unit, abscissa.xs.at(-1) ?? 0);
+  const xLabels = (_: uPlot, ticks: Coordinates) =>
+    tickLabels(ticks.map((v) => (v == null ? null : v / time.size)));
   const yLabels = (_: uPlot, ticks: Coordinates) =>
-    tickLabels(ticks.map((v) => (v == null ? null : scale.value(v))));
-  const label = abscissa.unit ? `${abscissa.label} [${abscissa.unit}]` : abscissa.label;
+    tickLabels(ticks.map((v) => (v == null ? null : scale.value(v) / unit.size)));
+  const label = time.name ? `${abscissa.label} [${time.name}]` : abscissa.label;
   const splits = (_: uPlot, __: number, low: number, high: number) => logTicks(low, high);
   return [
     {
@@ -78,31 +82,35 @@ function axes({ chart, abscissa, scale }: PreparedChart): uPlot.Axis[] {
       ...{ label, labelSize: 16, labelGap: 0, labelFont: font },
       ...(abscissa.discrete ? { incrs: [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000] } : {}),
     },
-    { ...axis, font, gap: 4, size: axisWidth, values: yLabels, ...(chart.log ? { splits } : {}) },
+    {
+      ...{ ...axis, font, gap: 4, values: yLabels, ...(chart.log ? { splits } : {}) },
+      size: (_, labels) => margin.request(axisWidth(labels)),
+    },
   ];
 }
 
-/** Series of a column: a line, or points if the rows are discrete. */
-function series({ chart, abscissa, scale, coordinates }: PreparedChart, index: number): uPlot.Series {
-  const { label, unit, values } = chart.columns[index];
-  const stroke = cssColour(paletteColour(index));
+/** Series of a drawn column: a line, or points if the rows are discrete. */
+function series({ chart, columns, abscissa, scale, coordinates, unit }: Panel, index: number): uPlot.Series {
+  const { label, values, unit: own } = chart.columns[columns[index]];
+  const stroke = cssColour(paletteColour(columns[index]));
   const isolated = isolatedPoints(coordinates[index]);
   const points = abscissa.discrete
     ? { show: true, size: 7, fill: stroke }
     : { show: false, size: 4, fill: stroke, filter: () => isolated };
-  const common = commonUnit(chart);
+  const common = columns.every((i) => chart.columns[i].unit === own);
   return {
     ...{ label, stroke, width: 1.6, pxAlign: 0, points },
     ...(abscissa.discrete ? { paths: () => null } : {}),
     value: (_, __, ___, row) => {
-      const value = row == null ? Number.NaN : scale.displayed(values[row], index);
-      return Number.isNaN(value) ? "–" : formatQuantity(value, unit === common ? "" : unit);
+      const value = row == null ? Number.NaN : scale.displayed(values[row], columns[index]);
+      if (Number.isNaN(value)) return "–";
+      return common ? formatNumber(value / unit.size) : formatQuantity(value, own);
     },
   };
 }
 
 /** Width of the vertical axis for its longest label. */
-function axisWidth(_: uPlot, labels: string[] | null): number {
+function axisWidth(labels: string[] | null): number {
   const longest = Math.max(3, ...(labels ?? []).map((v) => v?.length ?? 0));
   return 14 + 6.4 * longest;
 }

@@ -1,47 +1,41 @@
-// Plot of one chart: curves, a line at the current abscissa, and a legend with the values there.
+// Plot of the curves of a chart that share axes, with a line at the current abscissa and the values there.
 
 import uPlot from "uplot";
 import { h } from "../base/dom";
-import type { Chart } from "../scene/scene";
 import type { Abscissa } from "./abscissa";
 import { bandHook } from "./bands";
-import type { ColumnMagnitudes } from "./magnitudes";
-import { commonUnit, fullRange, HEIGHT, plotOptions } from "./options";
-import { LinearScale, LogarithmicScale } from "./scales";
+import { fullRange, type Panel, plotOptions } from "./options";
 
-export class ChartPlot {
-  readonly element: HTMLElement;
+/** Height of a panel in CSS pixels: of the only one, and of one of several. */
+const HEIGHTS = [206, 150];
+
+/** Curves with common axes, and a legend with their values. */
+export class PanelPlot {
+  readonly element = h("div", { class: "plot" });
   private readonly plot: uPlot;
+  private readonly abscissa: Abscissa;
   /** Line at the current abscissa. */
   private readonly line = h("div", { class: "time-line", "aria-hidden": "true" });
-  private readonly container = h("div", { class: "plot" });
+  private readonly height: number;
+  private readonly unlisten: () => void;
   private hovered = false;
   private x: number | null = null;
 
-  constructor(
-    chart: Chart,
-    magnitudes: ColumnMagnitudes,
-    private readonly abscissa: Abscissa,
-    select: (x: number) => void,
-    width: number,
-  ) {
-    const scale = chart.log ? new LogarithmicScale(chart) : new LinearScale(chart, magnitudes);
-    const coordinates = chart.columns.map((c, i) => Array.from(c.values, (v) => scale.coordinate(v, i)));
-    const unit = commonUnit(chart);
-    const title = h("h3", {}, chart.title, unit ? h("small", {}, ` ${unit}`) : null);
-    const log = chart.log ? h("small", { class: "note" }, "logarithmic") : null;
-    const hasBands = chart.columns.some((c) => c.errors);
-    const band = hasBands ? h("small", { class: "note" }, "band: ± estimated error") : null;
-    this.element = h("figure", { class: "chart" }, h("figcaption", {}, title, log, band), this.container);
-    this.element.setAttribute("aria-label", `chart ${chart.title}`);
+  constructor(panel: Panel, width: number, single: boolean, text: string, select: (x: number) => void) {
+    const { chart, columns, abscissa, coordinates, margin } = panel;
+    this.abscissa = abscissa;
+    this.height = HEIGHTS[single ? 0 : 1];
     // The scales of uPlot are defined after its first drawing. The line is placed then.
-    const hooks = { drawAxes: [bandHook(chart, scale)], draw: [() => this.show(this.x)] };
+    const hooks = { drawAxes: [bandHook(panel)], draw: [() => this.show(this.x)] };
     // The columns of the legend are as wide as its longest entry.
-    const longest = Math.max(0, ...chart.columns.map((c) => c.label.length + (unit ? 0 : c.unit.length)));
-    this.container.style.setProperty("--entry", `${94 + 7 * longest}px`);
-    const options = plotOptions({ chart, abscissa, scale, coordinates }, width);
-    this.plot = new uPlot({ ...options, hooks }, [abscissa.xs, ...coordinates], this.container);
+    const longest = Math.max(0, ...columns.map((i) => chart.columns[i].label.length));
+    this.element.style.setProperty("--entry", `${100 + 7 * longest}px`);
+    const options = plotOptions(panel, width, this.height);
+    this.plot = new uPlot({ ...options, hooks }, [abscissa.xs, ...coordinates], this.element);
     this.plot.over.append(this.line);
+    this.plot.ctx.canvas.setAttribute("role", "img");
+    this.plot.ctx.canvas.setAttribute("aria-label", text);
+    this.unlisten = margin.listen(() => this.plot.redraw(false, true));
     this.listen(select);
   }
 
@@ -100,11 +94,12 @@ export class ChartPlot {
   }
 
   resize(width: number): void {
-    this.plot.setSize({ width, height: HEIGHT });
+    this.plot.setSize({ width, height: this.height });
     this.show(this.x);
   }
 
   destroy(): void {
+    this.unlisten();
     this.plot.destroy();
   }
 }

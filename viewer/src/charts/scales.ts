@@ -3,6 +3,7 @@
 import { largestMagnitude, ROUNDING_NOISE } from "../base/numbers";
 import type { Chart } from "../scene/scene";
 import type { ColumnMagnitudes } from "./magnitudes";
+import type { Coordinates } from "./ticks";
 
 /** Number of decades below the largest value that a logarithmic chart shows. */
 const MAX_DECADES = 18;
@@ -82,12 +83,17 @@ export class LogarithmicScale implements AxisScale {
   /** Smallest exponent that is drawn. */
   private readonly minExponent: number;
 
-  constructor(chart: Chart) {
+  /** Logarithms are those of magnitudes if the values have both signs. */
+  constructor(
+    chart: Chart,
+    private readonly absolute: boolean,
+  ) {
     const largest = Math.max(0, ...chart.columns.map((c) => largestMagnitude(c.values)));
     this.minExponent = largest > 0 ? Math.log10(largest) - MAX_DECADES : 0;
   }
 
-  coordinate(x: number): number | null {
+  coordinate(value: number): number | null {
+    const x = this.absolute ? Math.abs(value) : value;
     if (!(x > 0 && Number.isFinite(x))) return null;
     const exponent = Math.log10(x);
     return exponent < this.minExponent ? null : exponent;
@@ -107,4 +113,41 @@ export class LogarithmicScale implements AxisScale {
     const [from, to] = [Math.floor(low + 1e-9), Math.ceil(high - 1e-9)];
     return to > from ? [from, to] : [to - 1, to + 1];
   }
+}
+
+/** Share of the abscissa that counts as the start. */
+const START = 0.03;
+/** Factor by which a spike extends the range. */
+const SPIKE = 3;
+/** Smallest range after the start, relative to the whole range. */
+const MIN_SHARE = 1e-3;
+
+/** Range of the coordinates between two abscissas; null if there are none. */
+function rangeBetween(
+  xs: number[],
+  columns: Coordinates[],
+  from: number,
+  to: number,
+): [number, number] | null {
+  let [low, high] = [Infinity, -Infinity];
+  for (const column of columns) {
+    for (let i = 0; i < xs.length; i++) {
+      const y = column[i];
+      if (y === null || xs[i] < from || xs[i] > to) continue;
+      low = Math.min(low, y);
+      high = Math.max(high, y);
+    }
+  }
+  return low <= high ? [low, high] : null;
+}
+
+/** Range after the start if the start has a spike; null if it has none. */
+export function rangeWithoutSpike(xs: number[], columns: Coordinates[]): [number, number] | null {
+  const [first, last] = [xs[0], xs[xs.length - 1]];
+  const start = first + START * (last - first);
+  const whole = rangeBetween(xs, columns, first, last);
+  const rest = rangeBetween(xs, columns, start, last);
+  if (!whole || !rest) return null;
+  const [size, without] = [whole[1] - whole[0], rest[1] - rest[0]];
+  return size > SPIKE * without && without > MIN_SHARE * size ? rest : null;
 }

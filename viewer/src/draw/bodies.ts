@@ -1,25 +1,48 @@
 // Meshes of the bodies, swept by the vertex shader, and the ghost of the reference configuration.
 
 import * as THREE from "three";
-import { colourRange, colourTable, PALETTE } from "../base/colours";
-import type { Scene } from "../scene/scene";
+import { automaticMap, colourTable, PALETTE } from "../base/colours";
+import type { ColourScale } from "../scene/fields";
+import type { Scene, Vector } from "../scene/scene";
 import { bodyBatches, type InstanceBatch, STRIDE } from "./batches";
 import type { PointTextures } from "./points";
 import { BODY_FRAGMENT, BODY_VERTEX } from "./shaders/bodies";
 import type { SharedUniforms } from "./uniforms";
 
+/** Plane on which shadows fall. */
+export interface Ground {
+  up: Vector;
+  level: number;
+  /** Height at which a shadow has faded to a third. */
+  fading: number;
+}
+
+/** Shadows cover each pixel once, whatever the number of bodies above it. */
+export const SHADOW: THREE.MaterialParameters = {
+  transparent: true,
+  premultipliedAlpha: true,
+  depthWrite: false,
+  ...{ stencilWrite: true, stencilRef: 1, stencilFunc: THREE.NotEqualStencilFunc },
+  stencilZPass: THREE.ReplaceStencilOp,
+  ...{ polygonOffset: true, polygonOffsetFactor: -1, polygonOffsetUnits: -1 },
+};
+
 export class BodyMeshes {
   readonly group = new THREE.Group();
   readonly ghost = new THREE.Group();
+  readonly shadows = new THREE.Group();
   private readonly uniforms: Record<string, THREE.IUniform>;
   private readonly ghostUniforms: Record<string, THREE.IUniform>;
   private readonly materials: THREE.ShaderMaterial[];
   private field: THREE.DataTexture;
+  private shownField = -1;
+  private shownMap = "";
 
   constructor(
     private readonly scene: Scene,
     private readonly points: PointTextures,
     shared: SharedUniforms,
+    ground: Ground,
   ) {
     this.field = emptyField();
     this.uniforms = {
@@ -31,8 +54,11 @@ export class BodyMeshes {
       thickness: { value: 1 },
       minPixels: { value: 1.25 },
       ghost: { value: false },
+      shadow: { value: false },
+      ground: { value: new THREE.Vector4(...ground.up, ground.level) },
+      fading: { value: ground.fading },
       coloured: { value: false },
-      colours: { value: colourTexture(false) },
+      colours: { value: colourTexture(automaticMap(false)) },
       window: { value: new THREE.Vector2(0, 1) },
       palette: { value: PALETTE.map((c) => new THREE.Vector3(...c).divideScalar(255)) },
       ghostColour: { value: new THREE.Vector4(0.5, 0.55, 0.6, 0.3) },
@@ -44,31 +70,41 @@ export class BodyMeshes {
       depthWrite: false,
       premultipliedAlpha: true,
     });
-    this.materials = [solid, transparent];
+    const shadow = bodyMaterial({ ...this.uniforms, shadow: { value: true } }, SHADOW);
+    this.materials = [solid, transparent, shadow];
     for (const batch of bodyBatches(scene)) {
       const geometry = instancedGeometry(batch);
       this.group.add(mesh(geometry, solid));
       this.ghost.add(mesh(geometry, transparent));
+      const flat = mesh(geometry, shadow);
+      flat.renderOrder = -1;
+      this.shadows.add(flat);
     }
   }
 
-  /** Colours the bodies by field `index`, or each body in its own colour if null. */
-  colourBy(index: number | null): void {
-    this.uniforms.coloured.value = index !== null;
-    if (index === null) return;
-    const { range, diverging } = this.scene.fields[index];
-    const [low, high] = colourRange(range, diverging);
-    this.field.dispose();
-    this.field = this.points.fieldTexture(index);
-    this.uniforms.field.value = this.field;
-    this.ghostUniforms.field.value = this.field;
+  /** Colours the bodies by field `index` with a scale, or each body in its own colour if the index is negative. */
+  colourBy(index: number, scale: ColourScale | null): void {
+    this.uniforms.coloured.value = scale !== null;
+    if (!scale) return;
+    const { range } = this.scene.fields[index];
+    const { map, low, high } = scale;
+    if (this.shownField !== index) {
+      this.field.dispose();
+      this.field = this.points.fieldTexture(index);
+      this.uniforms.field.value = this.field;
+      this.ghostUniforms.field.value = this.field;
+      this.shownField = index;
+    }
     (this.uniforms.window.value as THREE.Vector2).set(
       (range[0] - low) / (high - low),
       (range[1] - low) / (high - low),
     );
-    (this.uniforms.colours.value as THREE.Texture).dispose();
-    this.uniforms.colours.value = colourTexture(diverging);
-    this.ghostUniforms.colours.value = this.uniforms.colours.value;
+    if (this.shownMap !== map) {
+      (this.uniforms.colours.value as THREE.Texture).dispose();
+      this.uniforms.colours.value = colourTexture(map);
+      this.ghostUniforms.colours.value = this.uniforms.colours.value;
+      this.shownMap = map;
+    }
   }
 
   set thickness(factor: number) {
@@ -108,6 +144,8 @@ function instancedGeometry({ template, instances, count }: InstanceBatch): THREE
   geometry.setIndex(template.index);
   geometry.setAttribute("local", new THREE.Float32BufferAttribute(template.local, 3));
   geometry.setAttribute("localNormal", new THREE.Float32BufferAttribute(template.normal, 3));
+  const face = template.face.length > 0 ? template.face : new Array(2 * template.end.length).fill(0);
+  geometry.setAttribute("face", new THREE.Float32BufferAttribute(face, 2));
   geometry.setAttribute("end", new THREE.Float32BufferAttribute(template.end, 1));
   const data = new THREE.InstancedInterleavedBuffer(instances, STRIDE);
   const parts = { station: [1, 0], body: [1, 1], radius: [1, 2], startScale: [3, 3], endScale: [3, 6] };
@@ -118,8 +156,8 @@ function instancedGeometry({ template, instances, count }: InstanceBatch): THREE
   return geometry;
 }
 
-function colourTexture(diverging: boolean): THREE.DataTexture {
-  const texture = new THREE.DataTexture(colourTable(diverging), 256, 1);
+function colourTexture(map: string): THREE.DataTexture {
+  const texture = new THREE.DataTexture(colourTable(map), 256, 1);
   texture.minFilter = THREE.LinearFilter;
   texture.magFilter = THREE.LinearFilter;
   texture.needsUpdate = true;

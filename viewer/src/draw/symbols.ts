@@ -82,10 +82,10 @@ export function markerMesh(scene: Scene, points: PointTextures, shared: SharedUn
   return symbols;
 }
 
-/** Length in space per unit of force and of moment. The longest arrow is a quarter of the model size. */
-function arrowLengths(scene: Scene): THREE.Vector2 {
+/** Length in space per unit of force and of moment. */
+function arrowLengths(scene: Scene, longest: number): THREE.Vector2 {
   const [force, moment] = largestReactions(scene.reactions);
-  const length = (largest: number) => (largest > 0 ? (0.25 * scene.size) / largest : 0);
+  const length = (largest: number) => (largest > 0 ? longest / largest : 0);
   return new THREE.Vector2(length(force), length(moment));
 }
 
@@ -115,8 +115,13 @@ function arrowVertices(): { shape: number[]; secondHead: number[]; index: number
   return { shape, secondHead, index };
 }
 
-/** Arrows of reaction forces (one head) and moments (two heads). */
-export function reactionMesh(scene: Scene, points: PointTextures, shared: SharedUniforms): THREE.Mesh {
+/** Arrows of reaction forces (one head) and moments (two heads); `longest` is the length of the longest one. */
+export function reactionMesh(
+  scene: Scene,
+  points: PointTextures,
+  shared: SharedUniforms,
+  longest: number,
+): THREE.Mesh {
   const { shape, secondHead, index } = arrowVertices();
   const anchor: number[] = [];
   const moment: number[] = [];
@@ -134,7 +139,7 @@ export function reactionMesh(scene: Scene, points: PointTextures, shared: Shared
     uniforms: {
       ...shared.uniforms,
       head: { value: 17 },
-      lengths: { value: arrowLengths(scene) },
+      lengths: { value: arrowLengths(scene, longest) },
       solidColours: { value: colourVectors(SOLID_COLOURS) },
     },
   });

@@ -6,11 +6,13 @@ export interface MeshTemplate {
   normal: number[];
   /** Station of each vertex: 0 for the station of the instance, 1 for the next one. */
   end: number[];
+  /** Coordinates -1 to 1 on a face with edges, two per vertex; empty if the mesh has no edges. */
+  face: number[];
   index: number[];
 }
 
 function empty(): MeshTemplate {
-  return { local: [], normal: [], end: [], index: [] };
+  return { local: [], normal: [], end: [], face: [], index: [] };
 }
 
 function merge(a: MeshTemplate, b: MeshTemplate): MeshTemplate {
@@ -19,6 +21,7 @@ function merge(a: MeshTemplate, b: MeshTemplate): MeshTemplate {
     local: [...a.local, ...b.local],
     normal: [...a.normal, ...b.normal],
     end: [...a.end, ...b.end],
+    face: [...a.face, ...b.face],
     index: [...a.index, ...b.index.map((i) => i + offset)],
   };
 }
@@ -92,6 +95,7 @@ export function box(): MeshTemplate {
         normal[axis] = side;
         template.local.push(...corner);
         template.normal.push(...normal);
+        template.face.push(a, b);
         template.end.push(0);
       }
       template.index.push(first, first + 1, first + 2, first, first + 2, first + 3);

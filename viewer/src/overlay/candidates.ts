@@ -1,7 +1,7 @@
 // Labels of a frame: names of bodies, joints and probes, values of reactions, node numbers.
 
-import { formatQuantity, suppressNoise } from "../base/numbers";
 import type { Settings } from "../base/settings";
+import { formatQuantity } from "../base/units";
 import { type FrameBlend, pointPosition, stationPosition } from "../scene/blend";
 import { largestReactions, magnitude } from "../scene/reactions";
 import type { Reaction, Scene, Vector } from "../scene/scene";
@@ -11,11 +11,14 @@ const MAX_NODES = 3000;
 /** Number of bodies above which their names are shown by the tooltip only. */
 const MAX_BODIES = 40;
 
-export type LabelKind = "body" | "marker" | "reaction" | "node";
+export type LabelKind = "marker" | "body" | "node";
 
 export interface Label {
-  /** Lines of text, joined to one line if there is space. */
-  lines: string[];
+  /** Identity of the label in all frames. */
+  key: string;
+  name: string;
+  /** Values such as "F 119.4 N". */
+  values: string[];
   kind: LabelKind;
   position: Vector;
 }
@@ -38,17 +41,21 @@ function markerPosition({ scene, reference, blend }: LabelSource, index: number)
     : pointPosition(at, own, 1, 0, blend);
 }
 
-/** Lines such as "F 119.4 N" and "M 3.103 N m". Rounding noise is omitted. */
-function reactionLines({ scene, blend }: LabelSource, reaction: Reaction): string[] {
+/** Relative size below which a reaction is not shown. */
+const NOISE = 1e-6;
+
+/** Values such as "F 119.4 N" and "M 3.103 N m" in the prefix of the largest reaction. Noise is omitted. */
+function reactionValues({ scene, blend }: LabelSource, reaction: Reaction): string[] {
   const force = scene.units?.force ?? "";
-  const length = scene.units?.length ?? "";
-  const [largestForce, largestMoment] = largestReactions(scene.reactions);
-  const f = suppressNoise(magnitude(reaction.force, blend), largestForce);
-  const m = suppressNoise(magnitude(reaction.moment, blend), largestMoment);
-  return [
-    ...(f > 0 ? [`F ${formatQuantity(f, force)}`] : []),
-    ...(m > 0 ? [`M ${formatQuantity(m, force && `${force} ${length}`)}`] : []),
-  ];
+  const moment = scene.units ? `${force} ${scene.units.length}` : "";
+  const largest = largestReactions(scene.reactions);
+  const parts = [
+    ["F", magnitude(reaction.force, blend), force, largest[0]],
+    ["M", magnitude(reaction.moment, blend), moment, largest[1]],
+  ] as const;
+  return parts
+    .filter(([, value, , reference]) => value > NOISE * reference)
+    .map(([symbol, value, unit, reference]) => `${symbol} ${formatQuantity(value, unit, reference)}`);
 }
 
 /** Labels that the settings request, by decreasing priority. */
@@ -56,27 +63,29 @@ export function candidateLabels(source: LabelSource): Label[] {
   const { settings } = source;
   return [
     ...(settings.labels ? markerLabels(source) : []),
-    ...(settings.reactions ? reactionLabels(source) : []),
     ...(settings.labels ? bodyLabels(source) : []),
     ...(settings.nodes ? nodeLabels(source) : []),
   ];
 }
 
+/** One label per marker with its name and the values of its reaction; those with values first. */
 function markerLabels(source: LabelSource): Label[] {
-  return source.scene.markers.map((marker, i) => ({
-    lines: [marker.name],
-    kind: "marker",
-    position: markerPosition(source, i),
-  }));
-}
-
-/** Labels of the reactions; of several reactions at one marker, the last one. */
-function reactionLabels(source: LabelSource): Label[] {
-  const byMarker = new Map(source.scene.reactions.map((r) => [r.marker, r]));
-  return [...byMarker].flatMap(([marker, reaction]): Label[] => {
-    const lines = reactionLines(source, reaction);
-    return lines.length > 0 ? [{ lines, kind: "reaction", position: markerPosition(source, marker) }] : [];
+  const { scene, settings } = source;
+  const reactions = new Map(settings.reactions ? scene.reactions.map((r) => [r.marker, r]) : []);
+  const labels = scene.markers.map((marker, i): Label => {
+    const reaction = reactions.get(i);
+    const values = reaction ? reactionValues(source, reaction) : [];
+    // The name of a load without a name is its path in the model.
+    const name = marker.name.endsWith("]") ? marker.detail : marker.name;
+    return {
+      key: `marker ${i}`,
+      name,
+      values,
+      kind: "marker",
+      position: markerPosition(source, i),
+    };
   });
+  return [...labels.filter((_, i) => reactions.has(i)), ...labels.filter((_, i) => !reactions.has(i))];
 }
 
 function bodyLabels({ scene, blend }: LabelSource): Label[] {
@@ -84,8 +93,7 @@ function bodyLabels({ scene, blend }: LabelSource): Label[] {
   return scene.bodies
     .filter((body) => body.count > 0)
     .map((body) => ({
-      lines: [body.name],
-      kind: "body",
+      ...{ key: `body ${body.first}`, name: body.name, values: [], kind: "body" },
       position: stationPosition(scene, body.first + (body.count >> 1), blend),
     }));
 }
@@ -95,7 +103,8 @@ function nodeLabels({ scene, blend }: LabelSource): Label[] {
   let remaining = MAX_NODES;
   for (const body of scene.bodies) {
     body.nodes.slice(0, Math.max(0, remaining)).forEach((station, i) => {
-      labels.push({ lines: [String(i)], kind: "node", position: stationPosition(scene, station, blend) });
+      const position = stationPosition(scene, station, blend);
+      labels.push({ key: `node ${station}`, name: String(i), values: [], kind: "node", position });
     });
     remaining -= body.nodes.length;
   }

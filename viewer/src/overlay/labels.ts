@@ -1,105 +1,132 @@
-// Placement of labels over the 3-D view, without overlaps.
+// Labels over the 3-D view: name and values beside a point, with a line to the point if there is no space beside it.
 
 import { h } from "../base/dom";
 import type { Viewport } from "../draw/viewport";
-import { candidateLabels, type Label, type LabelKind, type LabelSource } from "./candidates";
+import type { Rectangle } from "../view/camera";
+import { candidateLabels, type Label, type LabelSource } from "./candidates";
+import { nearestPoint, Occupancy, type PlacedBox, SLOTS, slotRectangle } from "./placement";
 
 /** Upper limit on the number of labels. */
 const MAX_LABELS = 120;
-/** Size of the cells that record the occupied area, in pixels. */
-const CELL = 8;
-/** Height of a line in pixels. */
-const LINE = 18;
-/** Upper limit on the downward shift of a reaction label, in lines. */
-const MAX_SHIFT = 5;
+/** Height of a line and horizontal padding of a label in pixels. */
+const LINE = 17;
+const PADDING = 12;
+/** Distance of a label from its point in pixels above which a line connects them. */
+const LEADER = 20;
+/** Width of the view in pixels below which each value has its own line. */
+const NARROW = 560;
+/** Number of placements of labels of bodies and nodes, which are not displaced. */
+const NEAR_SLOTS = 8;
 
-/** Text and its upper left corner. */
-type Placement = [text: string, x: number, y: number];
+const SVG = "http://www.w3.org/2000/svg";
+
+/** Elements of a label. */
+interface LabelElements {
+  box: HTMLElement;
+  name: HTMLElement;
+  values: HTMLElement;
+  line: SVGElement;
+}
 
 export class Labels {
   readonly element = h("div", { class: "labels", "aria-hidden": "true" });
-  private readonly pool: HTMLElement[] = [];
+  private readonly lines = document.createElementNS(SVG, "svg");
+  private readonly pool: LabelElements[] = [];
   private readonly widths = new Map<string, number>();
+  private readonly context = document.createElement("canvas").getContext("2d");
+  /** Placement of each label in the last frame, which is kept while it is free. */
+  private slots = new Map<string, number>();
 
-  constructor(private readonly viewport: Viewport) {}
+  constructor(
+    private readonly viewport: Viewport,
+    /** Areas of the view under buttons and legends. */
+    private readonly covered: () => Rectangle[],
+  ) {
+    this.element.append(this.lines);
+  }
 
   draw(source: LabelSource): void {
     const { width, height } = this.viewport;
-    const occupied = new Set<number>();
-    let shown = 0;
+    const visible: { label: Label; point: [number, number] }[] = [];
     for (const label of candidateLabels(source)) {
-      if (shown >= MAX_LABELS) break;
       const point = this.viewport.project(label.position);
-      if (!point || point[0] < 0 || point[1] < 0 || point[0] > width || point[1] > height) continue;
-      const free = this.placements(label, point).find((p) => this.occupy(occupied, p));
-      if (free) this.show(shown++, label.kind, free);
+      if (point && point[0] >= 0 && point[1] >= 0 && point[0] <= width && point[1] <= height)
+        visible.push({ label, point });
     }
-    for (let i = shown; i < this.pool.length; i++) this.pool[i].hidden = true;
+    const markers = visible.filter(({ label }) => label.kind === "marker").map(({ point }) => point);
+    const occupancy = new Occupancy(width, height, this.covered(), markers);
+    const slots = new Map<string, number>();
+    let shown = 0;
+    for (const { label, point } of visible) {
+      if (shown >= MAX_LABELS) break;
+      const values = label.values.join(width < NARROW ? "\n" : ", ");
+      const box = this.box(label, values, point);
+      const count = label.kind === "marker" ? SLOTS : NEAR_SLOTS;
+      const slot = occupancy.place(box, this.slots.get(label.key) ?? 0, count);
+      if (slot < 0) continue;
+      slots.set(label.key, slot);
+      this.show(shown++, label, values, slotRectangle(box, slot), point);
+    }
+    this.slots = slots;
+    for (let i = shown; i < this.pool.length; i++) {
+      this.pool[i].box.hidden = true;
+      this.pool[i].line.toggleAttribute("hidden", true);
+    }
   }
 
-  /** Possible placements of a label, the best first. Reactions may be moved and split into two lines. */
-  private placements(label: Label, point: [number, number]): Placement[] {
-    const place = (text: string): Placement => [
-      text,
-      ...corner(label.kind, point, this.width(text), this.viewport.width),
-    ];
-    const single = place(label.lines.join(", "));
-    if (label.kind !== "reaction") return [single];
-    const text = label.lines.join("\n");
-    const [, x, y] = place(text);
-    const left = point[0] - this.width(text) - 10;
-    const list = [single];
-    for (let i = 0; i <= MAX_SHIFT; i++) {
-      list.push([text, x, y + i * LINE]);
-      if (left > 0) list.push([text, left, y + i * LINE]);
-    }
-    return list;
+  /** Box of a label: a line for its name, and lines for its values. */
+  private box(label: Label, values: string, point: [number, number]): PlacedBox {
+    if (label.kind === "node") return { point, width: 6.5 * label.name.length + 6, height: 12 };
+    const lines = values === "" ? [] : values.split("\n");
+    const width = Math.max(this.width(label.name, 600), ...lines.map((line) => this.width(line, 400)));
+    return { point, width: Math.ceil(width) + PADDING, height: LINE * (1 + lines.length) + 2 };
   }
 
-  private show(index: number, kind: LabelKind, [text, x, y]: Placement): void {
-    let element = this.pool[index];
-    if (!element) {
-      element = h("span");
-      this.pool.push(element);
-      this.element.append(element);
-    }
-    element.hidden = false;
-    if (element.textContent !== text) element.textContent = text;
-    element.className = kind;
-    element.style.transform = `translate(${Math.round(x)}px, ${Math.round(y)}px)`;
+  private show(
+    index: number,
+    label: Label,
+    values: string,
+    { left, top, right, bottom }: Rectangle,
+    point: [number, number],
+  ): void {
+    const { box, name, values: text, line } = this.elements(index);
+    box.hidden = false;
+    if (name.textContent !== label.name) name.textContent = label.name;
+    if (text.textContent !== values) text.textContent = values;
+    if (box.className !== label.kind) box.className = label.kind;
+    box.style.transform = `translate(${Math.round(left)}px, ${Math.round(top)}px)`;
+    const [x, y] = nearestPoint({ left, top, right, bottom }, point);
+    const displaced = Math.hypot(x - point[0], y - point[1]) > LEADER;
+    line.toggleAttribute("hidden", !displaced);
+    if (displaced)
+      line.setAttribute(
+        "d",
+        `M${point[0].toFixed(1)} ${point[1].toFixed(1)}L${x.toFixed(1)} ${y.toFixed(1)}`,
+      );
   }
 
-  /** Estimated width of a text in pixels. */
-  private width(text: string): number {
-    const known = this.widths.get(text);
+  private elements(index: number): LabelElements {
+    if (!this.pool[index]) {
+      const [name, values] = [h("b"), h("span")];
+      const box = h("div", {}, name, values);
+      const line = document.createElementNS(SVG, "path");
+      this.pool[index] = { box, name, values, line };
+      this.element.append(box);
+      this.lines.append(line);
+    }
+    return this.pool[index];
+  }
+
+  /** Width of a text in pixels. All digits count as the widest one, so that the box does not change with the value. */
+  private width(text: string, weight: number): number {
+    const key = `${weight} ${text.replace(/[1-9]/g, "0")}`;
+    const known = this.widths.get(key);
     if (known !== undefined) return known;
-    const width = 12 + 6.6 * Math.max(...text.split("\n").map((line) => line.length));
+    if (!this.context) return 7 * text.length;
+    this.context.font = `${weight} 12px ${getComputedStyle(document.body).fontFamily}`;
+    const width = this.context.measureText(key.slice(4)).width;
     if (this.widths.size > 5000) this.widths.clear();
-    this.widths.set(text, width);
+    this.widths.set(key, width);
     return width;
   }
-
-  /** Occupies the cells under a label. Returns false, without a change, if one of them is occupied. */
-  private occupy(occupied: Set<number>, [text, x, y]: Placement): boolean {
-    const [width, height] = [this.width(text), LINE * text.split("\n").length];
-    const cells: number[] = [];
-    for (let i = Math.floor(x / CELL); i <= (x + width) / CELL; i++) {
-      for (let j = Math.floor(y / CELL); j <= (y + height) / CELL; j++) {
-        const cell = i * 4096 + j;
-        if (occupied.has(cell)) return false;
-        cells.push(cell);
-      }
-    }
-    for (const cell of cells) occupied.add(cell);
-    return true;
-  }
-}
-
-/** Upper left corner of a label beside its point, within the width of the view. */
-function corner(kind: LabelKind, [x, y]: [number, number], width: number, limit: number): [number, number] {
-  const left = x + width + 14 > limit ? x - width - 10 : x + 10;
-  if (kind === "marker") return [left, y - 22];
-  if (kind === "reaction") return [left, y + 6];
-  if (kind === "body") return [Math.max(2, x - width / 2), y - 34];
-  return [x + 4, y + 2];
 }

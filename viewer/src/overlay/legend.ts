@@ -3,25 +3,30 @@
 import { cssGradient } from "../base/colours";
 import { h } from "../base/dom";
 import { formatNumber } from "../base/numbers";
-import { legendValues } from "../scene/fields";
+import type { Settings } from "../base/settings";
+import { colourScale, legendValues } from "../scene/fields";
 import type { Scene } from "../scene/scene";
 
 export class ColourLegend {
   readonly element = h("div", { class: "legend", role: "img" });
 
-  /** Shows the legend of a field, or nothing if there is no such field. */
-  show(scene: Scene, name: string): void {
-    const field = scene.fields.find((f) => f.name === name);
+  /** Shows the legend of the selected field, or nothing if there is none. */
+  show(scene: Scene, settings: Settings): void {
+    const field = scene.fields.find((f) => f.name === settings.field);
     this.element.hidden = !field;
     if (!field) return;
-    const values = legendValues(scene, field).map((v) => formatNumber(v, 3));
+    const scale = colourScale(field, settings);
+    const values = legendValues(scene, field, scale).map((v) => formatNumber(v, 3));
     const bar = h("div", { class: "bar" });
-    bar.style.background = cssGradient(field.diverging, "to top");
-    const unit = field.unit ? h("span", { class: "unit" }, field.unit) : null;
+    bar.style.background = cssGradient(scale.map, "to top");
+    const unit = scale.unit.name ? h("span", { class: "unit" }, scale.unit.name) : null;
     this.element.replaceChildren(
-      h("div", { class: "name" }, field.name, unit),
+      h("div", { class: "name" }, field.name, unit && " ", unit),
       h("div", { class: "scale" }, bar, h("ol", {}, ...values.map((v) => h("li", {}, v)))),
     );
-    this.element.setAttribute("aria-label", `${field.name} from ${values[4]} to ${values[0]} ${field.unit}`);
+    this.element.setAttribute(
+      "aria-label",
+      `${field.name} from ${values[4]} to ${values[0]} ${scale.unit.name}`.trim(),
+    );
   }
 }

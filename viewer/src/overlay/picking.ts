@@ -1,11 +1,12 @@
 // Picking: station under the pointer, with its position and the value of the field.
 
-import { formatQuantity } from "../base/numbers";
+import { largestMagnitude, suppressNoise } from "../base/numbers";
 import type { Settings } from "../base/settings";
+import { formatQuantity } from "../base/units";
 import type { Viewport } from "../draw/viewport";
 import { type FrameBlend, fieldAt, stationPosition } from "../scene/blend";
 import { arcLength, bodyRadius } from "../scene/geometry";
-import type { Body, Scene } from "../scene/scene";
+import type { Body, Field, Scene } from "../scene/scene";
 
 type CanvasPoint = [x: number, y: number];
 
@@ -56,6 +57,12 @@ function segmentDistance(a: CanvasPoint, b: CanvasPoint, [x, y]: CanvasPoint): [
   return [Math.hypot(a[0] + t * dx - x, a[1] + t * dy - y), t];
 }
 
+/** Value of a field with its unit. Rounding noise is zero. */
+function fieldText(field: Field, value: number): string {
+  const largest = largestMagnitude(field.range);
+  return formatQuantity(suppressNoise(value, largest), field.unit, largest);
+}
+
 /** Lines of text on a picked station: body, arc length, position, value of the field. */
 export function describeStation(
   scene: Scene,
@@ -74,7 +81,6 @@ export function describeStation(
   const coordinates = position.map((c) => formatQuantity(c, "")).join(", ");
   lines.push(`at (${coordinates})${unit && ` ${unit}`}`);
   const field = scene.fields.find((f) => f.name === settings.field);
-  if (field)
-    lines.push(`${field.name}: ${formatQuantity(fieldAt(scene, field, station, blend), field.unit)}`);
+  if (field) lines.push(`${field.name}: ${fieldText(field, fieldAt(scene, field, station, blend))}`);
   return lines;
 }

@@ -1,15 +1,20 @@
 // Magnitudes of the reactions of joints.
 
 import type { FrameBlend } from "./blend";
-import type { Numbers, Reaction } from "./scene";
+import type { Numbers, Reaction, Vector } from "./scene";
+
+/** Vector of an array [F][3] between two frames. */
+export function vectorAt(vectors: Numbers, blend: FrameBlend): Vector {
+  const component = (k: number) => {
+    const [a, b] = [vectors[3 * blend.first + k], vectors[3 * blend.second + k]];
+    return a + blend.weight * (b - a);
+  };
+  return [component(0), component(1), component(2)];
+}
 
 /** Magnitude of a vector [F][3] between two frames. */
 export function magnitude(vectors: Numbers, blend: FrameBlend): number {
-  const x = [0, 1, 2].map((k) => {
-    const [a, b] = [vectors[3 * blend.first + k], vectors[3 * blend.second + k]];
-    return a + blend.weight * (b - a);
-  });
-  return Math.hypot(...x);
+  return Math.hypot(...vectorAt(vectors, blend));
 }
 
 function largestOf(vectors: Numbers): number {

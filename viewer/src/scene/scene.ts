@@ -22,6 +22,8 @@ export interface Field {
   unit: string;
   diverging: boolean;
   range: [number, number];
+  /** Range of all data of a live run that the page has received. */
+  widest?: [number, number];
   /** Scaled values [F][P]: (value - min) / (max - min) * 65534. The code 65535 stands for no value. */
   values: Numbers;
 }

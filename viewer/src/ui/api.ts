@@ -2,6 +2,7 @@
 
 import { stationPosition } from "../scene/blend";
 import type { Vector } from "../scene/scene";
+import type { Rectangle } from "../view/camera";
 import type { App } from "./app";
 
 export interface Api {
@@ -14,12 +15,22 @@ export interface Api {
   /** Current fractional frame. */
   readonly frame: number;
   readonly playing: boolean;
+  /** Number of stations of each body. */
+  stations(): number[];
+  /** Unit vector from the model towards the camera. */
+  readonly direction: Vector;
   /** Drawn position of a station of a body, with scaled displacements. */
   station(body: number, index: number): Vector;
   /** Position of a station on the canvas in CSS pixels; null if it is not visible. */
   canvasPosition(body: number, index: number): [number, number] | null;
-  /** Share of the canvas (0 to 1) that objects other than the grid cover. */
+  /** Position of a point on the canvas in CSS pixels; null if it is not visible. */
+  project(x: number, y: number, z: number): [number, number] | null;
+  /** Share of the canvas (0 to 1) that objects other than grid and shadows cover. */
   coverage(): number;
+  /** Red, green, blue and opacity (0 to 255) of the 3-D view at a point in CSS pixels. */
+  pixel(x: number, y: number): number[];
+  /** Free area of the view, and the box around the projected motion and arrows of all frames, in CSS pixels. */
+  framing(): { free: Rectangle; motion: Rectangle; arrows: Rectangle | null } | null;
 }
 
 export function createApi(app: App, ready: Promise<boolean>): Api {
@@ -37,8 +48,15 @@ export function createApi(app: App, ready: Promise<boolean>): Api {
     get playing() {
       return app.player.playing;
     },
+    stations: () => app.scene.bodies.map((body) => body.count),
+    get direction() {
+      return app.viewport?.camera.direction ?? [0, 0, 1];
+    },
     station,
     canvasPosition: (body, index) => app.viewport?.project(station(body, index)) ?? null,
+    project: (x, y, z) => app.viewport?.project([x, y, z]) ?? null,
     coverage: () => app.viewport?.coverage(app.blend) ?? 0,
+    pixel: (x, y) => app.viewport?.pixel(x, y, app.blend) ?? [0, 0, 0, 0],
+    framing: () => app.viewport?.framing() ?? null,
   };
 }

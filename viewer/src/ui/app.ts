@@ -1,22 +1,25 @@
 // Application: connects the parts of the page, and updates them in `draw`.
 
 import { h } from "../base/dom";
-import { formatQuantity } from "../base/numbers";
 import { SettingsStore } from "../base/settings";
+import { formatQuantity } from "../base/units";
 import { Abscissa } from "../charts/abscissa";
 import { Charts } from "../charts/charts";
-import { gridSpacing } from "../draw/grid";
+import { gridSpacing } from "../draw/ground";
 import { Triad } from "../draw/triad";
 import { Viewport } from "../draw/viewport";
 import { Labels } from "../overlay/labels";
 import { ColourLegend } from "../overlay/legend";
 import { Tooltip } from "../overlay/tooltip";
+import { SidePanel } from "../panel/panel";
 import type { FrameBlend } from "../scene/blend";
+import { defaultField, keepRanges } from "../scene/fields";
 import { hasFailed, isModal, type Scene } from "../scene/scene";
 import { frameLabels } from "../scene/shapes";
+import type { Rectangle } from "../view/camera";
 import { DisplayOptions } from "./display";
+import { coveredAreas, freeAreas } from "./free_area";
 import { PageLayout } from "./layout";
-import { SidePanel } from "./panel";
 import { Player } from "./player";
 import { TransportBar } from "./transport";
 
@@ -30,7 +33,11 @@ export class App {
   viewport: Viewport | null = null;
   private currentScene: Scene | null = null;
   private readonly charts = new Charts((x) => this.goToAbscissa(x));
-  private readonly panel = new SidePanel(this.charts, (frame) => this.selectShape(frame));
+  private readonly panel = new SidePanel(
+    this.charts,
+    (frame) => this.selectShape(frame),
+    () => this.requestDraw(),
+  );
   private readonly transport = new TransportBar(this.player);
   private readonly display = new DisplayOptions(this.settings);
   private readonly legend = new ColourLegend();
@@ -43,6 +50,7 @@ export class App {
   /** Reference positions of the points of the viewport. */
   private reference: Float32Array = new Float32Array(0);
   private drawRequested = false;
+  private coveredCache: Rectangle[] | null = null;
 
   constructor() {
     this.layout = new PageLayout(this.panel.element, this.transport.element, this.display.element);
@@ -50,7 +58,8 @@ export class App {
     this.layout.overlay.append(this.triad.element, this.gridNote, this.legend.element, this.tooltip.element);
     this.settings.listen((name) => {
       const { values } = this.settings;
-      if (name === "field" && this.currentScene) this.legend.show(this.currentScene, values.field);
+      if (["field", "colourMap", "limits"].includes(name) && this.currentScene)
+        this.legend.show(this.currentScene, values);
       this.viewport?.apply(values);
       this.player.repeat = values.repeat;
       this.gridNote.hidden = !values.grid;
@@ -74,7 +83,8 @@ export class App {
   load(scene: Scene): void {
     scene.frames.labels = frameLabels(scene);
     const update = this.currentScene !== null;
-    if (!this.currentScene?.fields.length) this.settings.values.field = scene.fields[0]?.name ?? "";
+    if (!this.currentScene?.fields.length) this.settings.values.field = defaultField(scene);
+    if (this.currentScene) keepRanges(scene, this.currentScene);
     this.currentScene = scene;
     this.player.load(scene, update);
     this.abscissa = new Abscissa(scene);
@@ -83,10 +93,11 @@ export class App {
     this.charts.load(scene, this.abscissa);
     this.transport.load(scene);
     this.display.load(scene);
-    this.legend.show(scene, this.settings.values.field);
+    this.legend.show(scene, this.settings.values);
     this.loadViewport(scene);
     this.requestDraw();
-    const autoplay = !update && !scene.live && !hasFailed(scene) && this.viewport !== null;
+    const moves = scene.analysis !== "statics" && !scene.live && !hasFailed(scene);
+    const autoplay = !update && moves && this.viewport !== null;
     if (autoplay && !prefersReducedMotion()) this.player.toggle();
   }
 
@@ -101,7 +112,7 @@ export class App {
     this.gridNote.textContent = `grid ${formatQuantity(gridSpacing(scene), scene.units?.length ?? "")}`;
     this.reference = this.viewport?.load(scene) ?? this.reference;
     this.viewport?.apply(this.settings.values);
-    if (!update) this.viewport?.camera.setView(isPlanar(scene) ? "front" : "oblique");
+    if (!update) this.viewport?.camera.setInitialView();
   }
 
   /** Creates the viewport. Returns false if the browser has no WebGL 2. */
@@ -115,12 +126,32 @@ export class App {
       );
       return false;
     }
-    this.labels = new Labels(this.viewport);
+    const { viewport } = this;
+    this.labels = new Labels(viewport, () => this.covered());
     this.layout.overlay.prepend(this.labels.element);
-    const resize = () => this.viewport?.resize(canvas.clientWidth, canvas.clientHeight);
+    viewport.camera.freeAreas = () => freeAreas(viewport.width, viewport.height, this.covered());
+    const resize = () => {
+      this.coveredCache = null;
+      viewport.resize(canvas.clientWidth, canvas.clientHeight);
+    };
     resize();
-    new ResizeObserver(resize).observe(canvas);
+    const observer = new ResizeObserver(resize);
+    observer.observe(canvas);
+    for (const element of [this.display.element, this.legend.element]) {
+      new ResizeObserver(() => {
+        this.coveredCache = null;
+        this.requestDraw();
+      }).observe(element);
+    }
     return true;
+  }
+
+  /** Areas of the 3-D view under buttons and legends, until `coveredCache` is cleared. */
+  private covered(): Rectangle[] {
+    const { canvas, tools } = this.layout;
+    const elements = [tools, this.display.element, this.legend.element, this.triad.element, this.gridNote];
+    this.coveredCache ??= coveredAreas(canvas, elements);
+    return this.coveredCache;
   }
 
   /** Requests a drawing in the next animation frame. Without requests nothing is drawn. */
@@ -139,7 +170,7 @@ export class App {
     const settings = this.settings.values;
     this.transport.update();
     this.charts.show(this.abscissa?.at(this.player.position) ?? null);
-    this.panel.markShape(Math.round(this.player.position));
+    this.panel.show(Math.round(this.player.position), blend, this.caption);
     if (!viewport || !labels || !scene || scene.frames.count === 0) return;
     viewport.draw(blend);
     this.triad.draw(viewport.camera.camera);
@@ -178,14 +209,4 @@ export class App {
 
 function prefersReducedMotion(): boolean {
   return matchMedia("(prefers-reduced-motion: reduce)").matches;
-}
-
-/** True if the motion lies in the plane of the front view. */
-function isPlanar(scene: Scene): boolean {
-  const [low, high] = scene.bounds;
-  const size = low.map((x, k) => high[k] - x);
-  const thinnest = size.indexOf(Math.min(...size));
-  const vertical = scene.up.map(Math.abs).indexOf(1);
-  const depth = vertical === 2 ? 1 : 2;
-  return !isModal(scene) && size[thinnest] < 0.02 * Math.max(...size) && thinnest === depth;
 }

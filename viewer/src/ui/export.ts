@@ -3,7 +3,7 @@
 import { cssColour, mapColour } from "../base/colours";
 import { saveFile } from "../base/dom";
 import { formatNumber } from "../base/numbers";
-import { legendValues } from "../scene/fields";
+import { colourScale, legendValues } from "../scene/fields";
 import type { App } from "./app";
 
 /** Height of the colour bar of an image in CSS pixels. */
@@ -50,13 +50,14 @@ function drawLegend(app: App, context: CanvasRenderingContext2D, left: number): 
   const field = app.scene.fields.find((f) => f.name === app.settings.values.field);
   if (!field) return;
   const ink = context.fillStyle;
-  context.fillText(`${field.name} ${field.unit}`.trim(), left - 40, 28, 130);
+  const scale = colourScale(field, app.settings.values);
+  context.fillText(`${field.name} ${scale.unit.name}`.trim(), left - 40, 28, 130);
   for (let i = 0; i < BAR_HEIGHT; i++) {
-    context.fillStyle = cssColour(mapColour(field.diverging, 1 - i / (BAR_HEIGHT - 1)));
+    context.fillStyle = cssColour(mapColour(scale.map, 1 - i / (BAR_HEIGHT - 1)));
     context.fillRect(left, 40 + i, 14, 1.5);
   }
   context.fillStyle = ink;
-  const values = legendValues(app.scene, field);
+  const values = legendValues(app.scene, field, scale);
   for (const i of [0, 2, 4]) {
     context.fillText(formatNumber(values[i], 3), left + 22, 45 + ((BAR_HEIGHT - 2) * i) / 4);
   }

@@ -36,8 +36,9 @@ export class Player {
     this.modal = isModal(scene);
     this.values = scene.frames.values;
     if (!this.speedSelected) this.speed = this.timed ? nearestSpeed(this.duration / DURATION) : 1;
-    // Live and failed runs open at their last frame, shapes at the first one that is not rigid.
-    if (!update) this.position = scene.live || hasFailed(scene) ? this.end : firstElasticShape(scene);
+    // Live and failed runs and statics open at their last frame, shapes at the first one that is not rigid.
+    const last = scene.live || hasFailed(scene) || scene.analysis === "statics";
+    if (!update) this.position = last ? this.end : firstElasticShape(scene);
     else if (atEnd && !this.playing) this.position = this.end;
     else this.seek(time);
   }

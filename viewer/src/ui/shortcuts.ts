@@ -1,7 +1,7 @@
 // List of the keyboard shortcuts.
 
 import type { Theme } from "../base/theme";
-import { STANDARD_VIEWS } from "../draw/camera";
+import { STANDARD_VIEWS } from "../view/camera";
 import type { App } from "./app";
 import type { Shortcut } from "./keyboard";
 

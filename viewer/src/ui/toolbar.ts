@@ -3,7 +3,7 @@
 import { iconButton } from "../base/dom";
 import { ICONS } from "../base/icons";
 import type { Theme } from "../base/theme";
-import { STANDARD_VIEWS } from "../draw/camera";
+import { STANDARD_VIEWS } from "../view/camera";
 import type { App } from "./app";
 import { canRecord, saveImage, saveVideo } from "./export";
 
@@ -12,7 +12,9 @@ const VIEW_LABELS = { front: "Front", top: "Top", side: "Side", oblique: "3-D" }
 export function addButtons(app: App, theme: Theme, showHelp: () => void): void {
   const { tools, actions } = app.layout;
   for (const [i, view] of STANDARD_VIEWS.entries()) {
-    const button = iconButton(`${view} view (${i + 1})`, "", () => app.viewport?.camera.setView(view));
+    const button = iconButton(`${VIEW_LABELS[view]} view (${i + 1})`, "", () =>
+      app.viewport?.camera.setView(view),
+    );
     button.textContent = VIEW_LABELS[view];
     button.className = "text-button";
     tools.append(button);

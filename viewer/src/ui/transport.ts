@@ -2,7 +2,7 @@
 
 import { h, iconButton, iconSvg } from "../base/dom";
 import { ICONS } from "../base/icons";
-import { formatQuantity } from "../base/numbers";
+import { formatQuantity } from "../base/units";
 import { isModal, type Scene } from "../scene/scene";
 import { type Player, SPEEDS } from "./player";
 
@@ -79,6 +79,6 @@ export class TransportBar {
     if (label) return label;
     const { name, unit } = scene.abscissa;
     const quantity = name || (scene.analysis === "dynamics" ? "t" : "load factor");
-    return `${quantity} = ${formatQuantity(player.time, unit)}`;
+    return `${quantity} = ${formatQuantity(player.time, unit, scene.frames.values[player.end])}`;
   }
 }

@@ -1,6 +1,7 @@
 //! Scene of a run as one binary [`container`], and the HTML page around it.
 
 mod builder;
+mod clearance;
 pub mod container;
 mod drawn_frames;
 mod entries;

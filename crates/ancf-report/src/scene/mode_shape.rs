@@ -1,6 +1,7 @@
 use ancf::Field;
 use ancf::solver::equations::State;
 
+use super::clearance::largest_factor;
 use crate::geometry::Geometry;
 
 /// Maximum displacement of a drawn shape, relative to the size of the model.
@@ -10,13 +11,16 @@ const MAX_ROTATION: f64 = 0.6;
 
 /// Returns the state displaced by its shape: q + c v, with a maximum displacement of a tenth of the size of the model.
 ///
+/// The displacement is smaller if bodies would cross each other.
+///
 /// In torsion, the largest displacement is that of the rim of a section or the corner of a box. Then the rotation of directors is
 /// limited, too.
 pub(crate) fn displaced(geometry: &Geometry<'_>, s: &State, size: f64) -> State {
     let at_rest = |q: Vec<f64>| State { q, v: vec![0.0; s.v.len()], ..s.clone() };
     // Displacements are linear in the coordinates.
     let shape = State { q: s.v.clone(), ..s.clone() };
-    let axis = max_length(&geometry.read(Field::Displacement, &shape));
+    let displacements = geometry.read(Field::Displacement, &shape);
+    let axis = max_length(&displacements);
     let axis = if axis.is_finite() { axis } else { 0.0 };
     let mut factor = if axis > 0.0 { MAX_DISPLACEMENT * size / axis } else { 0.0 };
     let moved = |factor: f64| -> Vec<f64> { s.q.iter().zip(&s.v).map(|(q, v)| q + factor * v).collect() };
@@ -43,6 +47,7 @@ pub(crate) fn displaced(geometry: &Geometry<'_>, s: &State, size: f64) -> State 
             factor = (MAX_DISPLACEMENT * size / rim).min(MAX_ROTATION / turn);
         }
     }
+    factor = factor.min(largest_factor(geometry, &geometry.place(s).centres, &displacements));
     at_rest(moved(factor))
 }
 

@@ -241,3 +241,24 @@ fn numbers_that_are_none_are_left_out() {
     assert!(found.header["charts"].as_array().unwrap().is_empty());
     assert!(Simulation::new(&run.model).is_ok());
 }
+
+/// The table of colour maps has all fields, with their signs.
+#[test]
+fn the_table_of_colour_maps_has_all_fields() {
+    let text =
+        std::fs::read_to_string(crate::common::file("crates/ancf-report/assets/colour_maps.json")).unwrap();
+    let table: serde_json::Value = serde_json::from_str(&text).unwrap();
+    let mut seen = 0;
+    for (model, duration) in [("bow", 0.01), ("tuning_fork", 1.0), ("arc", 1.0)] {
+        let scene = Run::of_file(&format!("models/{model}.toml"), duration, 1).scene();
+        for field in scene.header["fields"].as_array().unwrap() {
+            let sign = if field["diverging"].as_bool().unwrap() { "signed" } else { "one-signed" };
+            assert_eq!(table["quantities"][field["name"].as_str().unwrap()], sign, "{}", field["name"]);
+            seen += 1;
+        }
+    }
+    assert!(seen >= 20, "{seen} fields");
+    for map in [&table["sequential"], &table["diverging"]] {
+        assert!(table["maps"][map.as_str().unwrap()].is_string());
+    }
+}

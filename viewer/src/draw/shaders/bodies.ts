@@ -13,18 +13,23 @@ uniform int stations;
 uniform float thickness;
 uniform float minPixels;  // lower limit of the radius in pixels
 uniform bool ghost;
+uniform bool shadow;      // projection onto the ground
+uniform vec4 ground;      // vertical axis and level of the ground
 in vec3 local;            // coordinates along d1, d2, d3
 in vec3 localNormal;      // components along d1, d2, d3
 in float end;             // 0: station of the instance, 1: next station
 in float station;
 in float body;
 in float radius;
+in vec2 face;             // coordinates on a face with edges
 in vec3 startScale;       // factors of the local coordinates at both ends
 in vec3 endScale;
 out vec3 viewNormal;
 out vec3 viewPosition;
 out float level;
 out float missing;
+out float height;         // above the ground
+out vec2 onFace;
 flat out int colourIndex;
 
 void sectionAxes(usampler2D source, int i, out vec3 y, out vec3 z) {
@@ -60,6 +65,9 @@ void main() {
   float size = max(thickness, minPixels * pixelSize(centre) / max(radius, 1e-30));
   vec3 offset = local * mix(startScale, endScale, end) * size;
   vec3 world = centre + offset.x * x + offset.y * y + offset.z * z;
+  height = dot(world, ground.xyz) - ground.w;
+  if (shadow) world -= height * ground.xyz;
+  onFace = face;
   vec3 normal = localNormal.x * x + localNormal.y * y + localNormal.z * z;
   vec4 view = viewMatrix * vec4(world, 1.0);
   viewNormal = mat3(viewMatrix) * normal;
@@ -78,11 +86,15 @@ uniform vec2 window;      // positions in the colour map of the smallest and lar
 uniform vec3 palette[8];
 uniform bool ghost;
 uniform bool coloured;
+uniform bool shadow;
+uniform float fading;     // height at which a shadow has faded to a third
 uniform vec4 ghostColour;
 in vec3 viewNormal;
 in vec3 viewPosition;
 in float level;
 in float missing;
+in float height;
+in vec2 onFace;
 flat in int colourIndex;
 out vec4 colour;
 ${LIGHTING_GLSL}
@@ -93,10 +105,17 @@ void main() {
     colour.rgb *= colour.a;
     return;
   }
+  if (shadow) {
+    if (height < 0.0) discard;
+    colour = vec4(0.0, 0.0, 0.0, 0.10 + 0.24 * exp(-height / fading));
+    return;
+  }
   vec3 base = palette[colourIndex % 8];
   if (coloured) {
     base = missing > 0.0 ? vec3(0.6) : texture(colours, vec2(mix(window.x, window.y, level), 0.5)).rgb;
   }
-  colour = vec4(shade(base, viewNormal, viewPosition), 1.0);
+  vec2 edge = (1.0 - abs(onFace)) / max(fwidth(onFace), 1e-6);
+  float line = 1.0 - smoothstep(0.8, 1.8, min(edge.x, edge.y));
+  colour = vec4(shade(base, viewNormal, viewPosition) * (1.0 - 0.55 * line), 1.0);
 }
 `;

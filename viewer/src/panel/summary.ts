@@ -7,7 +7,7 @@ export function messageList(scene: Scene): HTMLElement {
   const items = scene.messages.map((m) => h("li", { class: /^error/i.test(m) ? "error" : "" }, m));
   const list =
     items.length > 0 ? h("ul", { class: "messages" }, ...items) : h("p", { class: "empty" }, "No messages.");
-  return h("section", {}, h("h3", {}, "Messages"), list);
+  return h("section", {}, h("h2", {}, "Messages"), list);
 }
 
 export function summaryTable(scene: Scene): HTMLElement {
@@ -20,7 +20,7 @@ export function summaryTable(scene: Scene): HTMLElement {
   }
   if (!scene.summary.some(([name]) => name === "program")) rows.push(row("program", scene.program));
   if (scene.sha256) rows.push(row("model SHA-256", scene.sha256, { class: "hash" }));
-  return h("section", {}, h("h3", {}, "Summary"), h("table", {}, h("tbody", {}, ...rows)));
+  return h("section", {}, h("h2", {}, "Summary"), h("table", {}, h("tbody", {}, ...rows)));
 }
 
 /** Text of the model, with buttons to copy and save it. */

@@ -2,15 +2,18 @@
 
 import { h } from "../base/dom";
 import type { Charts } from "../charts/charts";
+import type { FrameBlend } from "../scene/blend";
 import { isModal, type Scene } from "../scene/scene";
+import { ReactionTables } from "./reactions_table";
 import { messageList, modelText, summaryTable } from "./summary";
 
-type Tab = "Shapes" | "Charts" | "Run";
+type Tab = "Shapes" | "Charts" | "Reactions" | "Run";
 
 export class SidePanel {
   readonly element = h("aside", { class: "panel", "aria-label": "charts and summary" });
   private readonly tabs = h("div", { class: "tabs", role: "tablist" });
   private readonly shapes = h("div", { class: "shapes" });
+  private readonly reactions = new ReactionTables();
   private readonly run = h("div", { class: "run" });
   private readonly contents: Map<Tab, HTMLElement>;
   private selected: Tab | null = null;
@@ -18,10 +21,13 @@ export class SidePanel {
   constructor(
     charts: Charts,
     private readonly selectShape: (frame: number) => void,
+    /** Called after the selection of a tab. */
+    private readonly changed: () => void,
   ) {
     this.contents = new Map<Tab, HTMLElement>([
       ["Shapes", this.shapes],
       ["Charts", charts.element],
+      ["Reactions", this.reactions.element],
       ["Run", this.run],
     ]);
     for (const [name, content] of this.contents) {
@@ -29,7 +35,10 @@ export class SidePanel {
       content.id = `panel-${name}`;
       const tab = h("button", {
         ...{ type: "button", role: "tab", id: `tab-${name}`, "aria-controls": content.id },
-        onclick: () => this.select(name),
+        onclick: () => {
+          this.select(name);
+          this.changed();
+        },
       });
       tab.textContent = name;
       content.setAttribute("aria-labelledby", tab.id);
@@ -43,8 +52,10 @@ export class SidePanel {
     const available: Record<Tab, boolean> = {
       Shapes: isModal(scene) && scene.frames.count > 0,
       Charts: scene.charts.length > 0,
+      Reactions: scene.reactions.length > 0,
       Run: true,
     };
+    this.reactions.load(scene);
     for (const tab of this.tabs.querySelectorAll("button")) tab.hidden = !available[tab.textContent as Tab];
     this.shapes.replaceChildren(...this.shapeButtons(scene));
     const opened = [...this.run.querySelectorAll("details")].map((d) => d.open);
@@ -52,15 +63,19 @@ export class SidePanel {
     this.run.querySelectorAll("details").forEach((d, i) => {
       d.open = opened[i] ?? d.open;
     });
-    const first = (Object.keys(available) as Tab[]).find((t) => available[t]) ?? "Run";
+    // The result of statics is its last state.
+    const order: Tab[] = scene.analysis === "statics" ? ["Reactions", "Charts"] : ["Shapes", "Charts"];
+    const first = order.find((t) => available[t]) ?? "Run";
     this.select(this.selected && available[this.selected] ? this.selected : first);
   }
 
-  /** Marks the button of the current shape. */
-  markShape(frame: number): void {
-    this.shapes.querySelectorAll("button").forEach((b, i) => {
-      b.setAttribute("aria-pressed", String(i === frame));
-    });
+  /** Marks the button of the current shape, and shows the reactions between two frames. */
+  show(frame: number, blend: FrameBlend, caption: string): void {
+    if (this.selected === "Reactions") this.reactions.show(blend, caption);
+    if (this.selected !== "Shapes") return;
+    for (const button of this.shapes.querySelectorAll("button")) {
+      button.setAttribute("aria-pressed", String(button.dataset.frame === String(frame)));
+    }
   }
 
   private select(name: Tab): void {
@@ -89,13 +104,19 @@ export class SidePanel {
   private shapeButtons(scene: Scene): HTMLElement[] {
     if (!isModal(scene)) return [];
     const kind = scene.analysis === "buckling" ? "load factor" : "mode";
-    return Array.from(scene.frames.values, (value, i) => {
+    const buttons = Array.from(scene.frames.values, (value, i) => {
       const label = scene.frames.labels?.[i] ?? `${kind} ${value}`;
       return h(
         "button",
-        { type: "button", class: "shape-button", onclick: () => this.selectShape(i) },
+        { type: "button", class: "shape-button", "data-frame": i, onclick: () => this.selectShape(i) },
         label,
       );
     });
+    const isRigid = (_: HTMLElement, i: number) => scene.frames.labels?.[i].endsWith(": rigid") ?? false;
+    const rigid = buttons.filter(isRigid);
+    if (rigid.length === 0 || rigid.length === buttons.length) return buttons;
+    const title = rigid.length === 1 ? "1 rigid-body mode" : `${rigid.length} rigid-body modes`;
+    const folded = h("details", { class: "rigid-modes" }, h("summary", {}, title), ...rigid);
+    return [folded, ...buttons.filter((b, i) => !isRigid(b, i))];
   }
 }

@@ -13,9 +13,11 @@ use pyo3::prelude::*;
 #[pymodule]
 mod _ancf {
     #[pymodule_export]
-    use super::input::{check_part, diagnose, read, scaled, schema, substitute, to_toml};
+    use super::input::{check_part, diagnose, nearest, read, scaled, schema, substitute, to_toml};
     #[pymodule_export]
     use super::results::report::report;
+    #[pymodule_export]
+    use super::results::scalars::scalar_fields;
     #[pymodule_export]
     use super::results::{ModelGeometry, inertia_box, outline};
     #[pymodule_export]

@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING, Any, Literal, Protocol, TypeAlias, runtime_che
 
 from ancf import _ancf
 from ancf.errors import AnalysisError
+from ancf.model.base.part import Part
+from ancf.model.document import Document
 from ancf.progress import Bar
 from ancf.record.instant import Instant
 from ancf.result import Result
@@ -41,7 +43,8 @@ def data(model: ModelLike) -> dict[str, Any]:
         return _ancf.read(Path(model))
     if isinstance(model, Mapping):
         return dict(model)
-    if isinstance(model, type) or not isinstance(model, HasData):
+    is_part = isinstance(model, Part) and not isinstance(model, Document)
+    if is_part or isinstance(model, type) or not isinstance(model, HasData):
         msg = f"model: found {model!r}, wanted an ancf.Model, its data in a dictionary, or the path of a file"
         raise TypeError(msg)
     return model.to_dict()
@@ -156,7 +159,7 @@ def statics(model: ModelLike, **settings: Any) -> Result:
 
 
 def path(model: ModelLike, **settings: Any) -> Result:
-    """Trace the equilibrium path of a model through limit points; `settings` are the keys of `ancf.Path`."""
+    """Trace the equilibrium path of a model through limit points; `settings` are the keys of `ancf.EquilibriumPath`."""
     return _analysed(model, "path", settings)
 
 

@@ -92,9 +92,16 @@ class Scene:
 
     def joints(self, row: int) -> dict[str, Array]:
         """Return the positions of joints in a frame by name: those of their ends `a`."""
+        return self.symbols(row)["joint"]
+
+    def symbols(self, row: int) -> dict[str, dict[str, Array]]:
+        """Return the positions of joints, probes and loads in a frame, by kind and name."""
         scale = self.lines.scale(row) if self.scale is None else self.scale
-        names, positions = self.geometry.joints(row, scale, self.lines.modal)
-        return dict(zip(names, positions, strict=True))
+        names, kinds, positions = self.geometry.symbols(row, scale, self.lines.modal)
+        found: dict[str, dict[str, Array]] = {"joint": {}, "probe": {}, "load": {}}
+        for name, kind, position in zip(names, kinds, positions, strict=True):
+            found[kind][name] = position
+        return found
 
     def move(self, mesh: PolyData, row: int, scale: float | None = None) -> None:
         """Move a mesh of this scene to another frame."""

@@ -63,6 +63,10 @@ class Document(Part):
         found: Probe = _named("probe", name, self.probes)
         return found
 
+    def _label(self) -> str | None:
+        # Paths of a whole model are complete.
+        return None
+
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Document):
             return NotImplemented

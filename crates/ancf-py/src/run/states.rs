@@ -188,6 +188,11 @@ impl States {
         Ok((make, (self.model.clone_ref(py), self.text.as_deref(), keep.word(), at, numbers)))
     }
 
+    /// Number of states and of the kept parts.
+    fn __repr__(&self) -> String {
+        format!("States({}, {})", self.frames.len(), self.frames.keep.word())
+    }
+
     /// Number of states.
     fn __len__(&self) -> usize {
         self.frames.len()

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Literal, TypeAlias, overload
 
+from ancf.display.numbers import with_unit
 from ancf.graphics.shapes import Grid, ShapePlots
-from ancf.graphics.style import grid, style, with_unit
-from ancf.record.columns import JOINT_COORDINATES, VECTORS, Array
+from ancf.graphics.style import grid, style
+from ancf.record.columns import ENERGIES, JOINT_COORDINATES, VECTORS, Array
 from ancf.record.suggestion import unknown_name
 from ancf.record.views import Probe
 
@@ -22,8 +23,6 @@ Curves: TypeAlias = "Mapping[str, Array]"
 
 QUANTITIES = {column: name.replace("_", " ") for name, columns in VECTORS.items() for column in columns}
 """Quantities of the columns of vectors, by suffix."""
-
-ENERGIES = ("kinetic", "strain", "potential", "work", "dissipated", "balance")
 
 KINEMATIC = {"position", "angle", "displacement", "length"}
 """Quantities that are plotted on the horizontal axis, with the load factor on the vertical axis."""

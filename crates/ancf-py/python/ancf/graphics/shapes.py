@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
+from ancf.display.numbers import with_unit
 from ancf.graphics.artists import (
     body_colours,
     draw_arms,
@@ -16,7 +17,7 @@ from ancf.graphics.artists import (
 )
 from ancf.graphics.frames import elastic_modes, frame_label, frame_numbers, require_int
 from ancf.graphics.lines import Lines
-from ancf.graphics.style import COLOURS, colour_limits, style, with_unit
+from ancf.graphics.style import COLOURS, colour_limits, style
 from ancf.graphics.view import View
 from ancf.record.columns import Array
 from ancf.record.result_data import ResultData

@@ -69,17 +69,3 @@ def colour_limits(values: np.typing.NDArray[np.float64]) -> tuple[float, float]:
     # Limits within a thousandth of zero are zero up to numerical errors.
     least, greatest = (0.0 if abs(end) < 1e-3 * far else end for end in (least, greatest))
     return (-far, far) if least < 0 < greatest else (least, greatest)
-
-
-def with_unit(text: str, unit: str | None, separator: str = ", ") -> str:
-    """Append a unit to a text, unless it is missing or that of pure numbers."""
-    if unit in {None, "", "1"}:
-        return text
-    return f"{text}{separator}{unit}" if text else str(unit)
-
-
-def format_number(number: float) -> str:
-    """Format a number in four digits, without exponent if it is of moderate size."""
-    if number == 0 or 1e-4 <= abs(number) < 1e7:
-        return np.format_float_positional(float(f"{number:.4g}"), trim="-")
-    return f"{number:.3e}"

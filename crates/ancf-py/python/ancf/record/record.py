@@ -20,10 +20,15 @@ class Record(Columns):
     """Columns and states: those of all rows in a `Result`, those of one row in an `Instant`."""
 
     def __init__(
-        self, columns: list[str], data: Array, states: States, indices: dict[str, int] | None = None
+        self,
+        columns: list[str],
+        data: Array,
+        states: States,
+        indices: dict[str, int] | None = None,
+        units: dict[str, str] | None = None,
     ) -> None:
         """Store columns `[..., column]` and the states from which fields are computed."""
-        super().__init__(columns, data, indices)
+        super().__init__(columns, data, indices, units)
         self.states = states
 
     def probe(self, name: str) -> Probe:

@@ -38,15 +38,13 @@ class ResultData(Record):
         frame_rows: np.typing.NDArray[np.int64] | None = None,
     ) -> None:
         """Store the results of an analysis of a `kind` of a model."""
-        super().__init__(columns, data, states)
+        super().__init__(columns, data, states, units=units)
         self.kind = kind
         """Kind of the analysis: `dynamics`, `statics`, `path`, `modes` or `buckling`."""
         self.summary = summary
         """Summary of the run: outcome, steps, iterations, coordinates, units of the solver, ..."""
         self.model = model
         """The model, as plain data."""
-        self.units = {} if units is None else units
-        """Units of the columns by name, if the model names its `units`. Pure numbers have the unit `1`."""
         count = len(states)
         self.frames: Array = data[:count, 0] if frames is None else frames
         """Time, load factor or number of the mode of each kept state, on which fields and plots are based. After

@@ -172,7 +172,7 @@ def test_colours_are_those_of_the_section_forces() -> None:
     assert int(np.abs(bands.get_array()).argmax()) == 0
     assert bands.get_clim()[0] == pytest.approx(moments.min())
     assert len(ax.figure.axes) == 2
-    assert ax.figure.axes[1].get_ylabel() == "Mz, N m"
+    assert ax.figure.axes[1].get_ylabel() == "bending moment Mz, N m"
 
 
 def test_colour_limits_are_symmetric_for_both_signs() -> None:

@@ -2,16 +2,29 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
-PREFIXES = {-9: "n", -6: "µ", -3: "m", 0: "", 3: "k", 6: "M", 9: "G", 12: "T"}
-"""SI prefixes by the power of ten."""
+PREFIXES = {-3: "n", -2: "µ", -1: "m", 0: "", 1: "k", 2: "M", 3: "G"}
+"""SI prefixes by the power of 1000."""
 
-PREFIXED = ("N", "Pa", "J", "Hz", "N m", "m", "m/s", "m/s²")
-"""Units that accept an SI prefix."""
-
-DERIVED = {"N/m²": "Pa", "1/s": "Hz"}
-"""Names of SI units."""
+SI_UNITS = {
+    "m": ("m", 1.0, -3, 1),
+    "s": ("s", 1.0, -3, 0),
+    "N": ("N", 1.0, -2, 3),
+    "J": ("J", 1.0, -3, 3),
+    "W": ("W", 1.0, -3, 3),
+    "Hz": ("Hz", 1.0, -1, 3),
+    "1/s": ("Hz", 1.0, -1, 3),
+    "N m": ("N m", 1.0, -2, 3),
+    "m/s": ("m/s", 1.0, -2, 1),
+    "m/s²": ("m/s²", 1.0, -2, 1),
+    "N/m": ("N/m", 1.0, -1, 3),
+    "N/m²": ("Pa", 1.0, -2, 3),
+    "N/mm²": ("Pa", 1e6, -2, 3),
+}
+"""Symbol with a prefix, factor from the given unit, least and largest power of 1000, as in the report."""
 
 
 def format_number(number: float, digits: int = 4) -> str:
@@ -33,21 +46,24 @@ def energy_unit(unit: str | None) -> str | None:
     return "J" if unit == "N m" else unit
 
 
-def si_prefix(size: float, unit: str | None) -> tuple[float, str | None]:
-    """Return the factor and the unit by which numbers up to a size have few digits, such as 1e-6 and MPa.
+def display_unit(size: float, unit: str | None) -> tuple[float, str]:
+    """Return factor and unit that give numbers up to a size few digits, such as 1e-6 and MPa.
 
-    Units that are not those of the SI keep their names, with the factor 1.
+    Numbers from 0.1 to 1 have no prefix. Units that are not those of the SI keep their names, with the factor 1.
     """
-    unit = DERIVED.get(unit or "", unit)
-    if unit not in PREFIXED or not 0 < size < np.inf:
-        return 1.0, unit
-    power = int(np.clip(3 * np.floor(np.log10(size * (1 + 1e-9)) / 3), min(PREFIXES), max(PREFIXES)))
-    # 0.25 m is easier to read than 250 mm, also as 10 N rather than 0.01 kN.
-    power = 0 if 0.1 <= size < 1000 else power
-    return 10.0**-power, f"{PREFIXES[power]}{unit}"
+    symbol, factor, least, most = SI_UNITS.get(unit or "", ("", 1.0, 0, 0))
+    size *= factor
+    if not symbol or not 0 < size < np.inf:
+        return 1.0, unit or ""
+    # The tolerance keeps 999.96, which is displayed as 1000, out of the smaller unit.
+    thousands = math.floor(math.log10(size * 1.00005) / 3)
+    power = 0 if 0.1 <= size < 1 else min(most, max(least, thousands))
+    if not 1e-3 * 1000.0**power <= size < 1e5 * 1000.0**power:
+        return 1.0, unit or ""
+    return factor / 1000.0**power, PREFIXES[power] + symbol
 
 
 def quantity_text(number: float, unit: str | None) -> str:
     """Return a number with its unit and an SI prefix, such as 179 MPa."""
-    factor, unit = si_prefix(abs(number), unit)
+    factor, unit = display_unit(abs(number), unit)
     return with_unit(format_number(factor * number), unit, " ")

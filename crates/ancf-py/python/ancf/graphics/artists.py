@@ -63,10 +63,13 @@ def draw_values(
     lines: Lines,
     positions: Array,
     values: Array,
-    limits: tuple[float, float],
+    colours: tuple[str, tuple[float, float]],
     look: dict[str, Any],
 ) -> Canvas:
-    """Draw the lines of all bodies in the colours of values. A segment has the mean value of its ends."""
+    """Draw the lines of all bodies in the colours of values, by a colour map and its limits.
+
+    A segment has the mean value of its ends.
+    """
     seen = view.coordinates(positions)
     for stations in lines.bodies.values():
         if stations.stop - stations.start == 1:
@@ -74,8 +77,8 @@ def draw_values(
     firsts = lines.segments
     keys = {
         "array": (values[firsts] + values[firsts + 1]) / 2,
-        "cmap": colour_map(*limits),
-        "clim": limits,
+        "cmap": colour_map(colours[0]),
+        "clim": colours[1],
         "linewidths": look.get("linewidth", 3.0),
         "capstyle": "round",
         **alpha(look),

@@ -7,19 +7,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ancf import _ancf
-from ancf.record.columns import VECTORS, Array
-from ancf.record.suggestion import unknown_name
+from ancf.record.columns import Array
 
 if TYPE_CHECKING:
     from ancf.record.result_data import ResultData
 
 MODE_AMPLITUDE = 0.15
 """Maximum drawn amplitude of a mode shape, relative to the size of the model."""
-
-AXES = {"x": 0, "y": 1, "z": 2}
-
-COLOUR_VECTORS = ("displacement", "velocity", "acceleration")
-"""Vectors by which lines can be coloured."""
 
 
 class Lines:
@@ -73,26 +67,6 @@ class Lines:
     def points(self, row: int, positions: Array) -> Array:
         """Return all points of the lines and arms of bodies at `positions`, `[point, 3]`."""
         return np.concatenate([positions, self.arms.tips(row, positions)])
-
-    def values(self, result: ResultData, name: str, parts: int = 8) -> Array:
-        """Compute a number for each frame and station, `[frame, station]`, by the name of a quantity.
-
-        Quantities are the section forces `N`, `Qy`, `Qz`, `T`, `My`, `Mz`, the magnitudes of `displacement`,
-        `velocity`, `acceleration`, and their components such as `displacement.y`. The `displacement` of a mode is
-        its shape.
-        """
-        vector, _, component = name.partition(".")
-        forces = VECTORS["section_forces"]
-        if name in forces:
-            return result.field("section_forces", parts=parts)[..., forces.index(name)]
-        if vector not in COLOUR_VECTORS or (component and component not in AXES):
-            raise KeyError(unknown_name("quantity", name, [*forces, *COLOUR_VECTORS]))
-        if vector == "displacement" and self.shapes is not None:
-            numbers = self.shapes
-        else:
-            numbers = result.field(vector, parts=parts)
-        length: Array = np.linalg.norm(numbers, axis=-1)
-        return numbers[..., AXES[component]] if component else length
 
 
 class Arms:

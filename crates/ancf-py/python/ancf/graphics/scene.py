@@ -9,6 +9,7 @@ import numpy as np
 from ancf import _ancf
 from ancf.graphics.frames import require_int
 from ancf.graphics.lines import Lines
+from ancf.graphics.quantities import quantity
 from ancf.graphics.style import COLOURS
 from ancf.graphics.surface import Outlines, Surface
 
@@ -47,8 +48,10 @@ class Scene:
         self.lines = Lines(result, parts)
         self.scale = scale
         self.directors = result.field("directors", parts=parts)
-        self.values = None if color is None else self.lines.values(result, color, parts)
-        """Values to colour by, `[frame, station]`."""
+        self.quantity = None if color is None else quantity(result, color, parts)
+        """Quantity to colour by."""
+        self.factor = 1.0
+        """Factor of the values, for a unit with a prefix."""
         self.model: Mapping[str, Any] = result.model
         self.sides, self._least = sides, least * self.lines.size
         self.surfaces = [*self._bodies(), *self._arms(), *self._obstacles()]
@@ -109,8 +112,9 @@ class Scene:
         self._set_values(mesh, row)
 
     def _set_values(self, mesh: PolyData, row: int) -> None:
-        if self.values is not None and self.color is not None:
-            mesh.point_data[self.color] = np.append(self.values[row], np.nan)[self._owners]
+        if self.quantity is not None and self.color is not None:
+            values = np.append(self.factor * self.quantity.values[row], np.nan)
+            mesh.point_data[self.color] = values[self._owners]
         mesh.compute_normals(cell_normals=False, split_vertices=False, consistent_normals=False, inplace=True)
 
     def _aligned(self, directors: Array, positions: Array) -> Array:

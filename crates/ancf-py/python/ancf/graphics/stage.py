@@ -16,8 +16,7 @@ from ancf.graphics.frames import (
     require_frames,
 )
 from ancf.graphics.scene import Scene
-from ancf.graphics.shapes import quantity_label
-from ancf.graphics.style import colour_limits, colour_map
+from ancf.graphics.style import colour_map
 from ancf.graphics.view import View
 from ancf.record.result_data import ResultData
 
@@ -203,18 +202,18 @@ class Stage:
         """Return the colour options of the mesh."""
         if paint is not None:
             return {"color": paint}
-        if self.scene.values is None:
+        quantity = self.scene.quantity
+        if quantity is None:
             return {"scalars": "shade", "rgb": True}
-        limits = colour_limits(self.scene.values if moving else self.scene.values[self.row])
+        limits = quantity.limits(quantity.values if moving else quantity.values[self.row])
+        self.scene.factor, label = quantity.scaled(limits)
+        self.scene.move(self.mesh, self.row)
         return {
             "scalars": self.scene.color,
-            "clim": list(limits),
-            "cmap": colour_map(*limits),
+            "clim": [self.scene.factor * end for end in limits],
+            "cmap": colour_map(quantity.colour_map),
             "nan_color": "#b0b0b0",
-            "scalar_bar_args": {
-                "title": f"{quantity_label(self.scene.result, self.scene.color)}\n",
-                **COLOUR_BAR,
-            },
+            "scalar_bar_args": {"title": f"{label}\n", **COLOUR_BAR},
         }
 
     def write_image(self, path: str | os.PathLike[str]) -> None:
@@ -309,7 +308,7 @@ class Stage:
         low, high = (points @ axes.T).min(0), (points @ axes.T).max(0)
         half, middle = (high - low) / 2, (high + low) / 2
         width, height = self.plotter.window_size
-        fill = FILL if self.scene.values is None else FILL_BESIDE_BAR
+        fill = FILL if self.scene.quantity is None else FILL_BESIDE_BAR
         scale = max(half[1] / FILL, half[0] / fill * height / width) or 1.0
         middle[0] += (FILL - fill) * scale * width / height
         camera.focal_point = middle @ axes

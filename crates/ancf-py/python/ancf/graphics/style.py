@@ -5,12 +5,11 @@ from __future__ import annotations
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from matplotlib.axes import Axes
+    from matplotlib.colors import LinearSegmentedColormap
 
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#444444")
 """Colours that remain distinct in colour blindness, after Okabe & Ito (2008)."""
@@ -20,6 +19,16 @@ GREY = "#b8b8b8"
 
 ARM_GREY = "#888888"
 """Colour of the arms of rigid bodies, and of rigid bodies beside bodies coloured by values."""
+
+COLOUR_MAPS = {
+    "sequential": "440154 482878 3e4989 31688e 26828e 1f9e89 35b779 6ece58 b5de2b fde725",
+    "diverging": "3b4cc0 688aef 99baff c9d8ef dddddd edd1c2 f7a789 e36a53 b40426",
+}
+"""Colour maps of quantities, as in reports.
+
+The sequential map is viridis (van der Walt & Smith 2015), the diverging map, for quantities with positive and negative
+values, is that of Moreland (2009).
+"""
 
 
 @contextmanager
@@ -54,18 +63,8 @@ def grid(ax: Axes) -> None:
     ax.grid(visible=True, linewidth=0.4, color="#d5d5d5")
 
 
-def colour_map(least: float, greatest: float) -> str:
-    """Return the name of the colour map: diverging for limits symmetric about zero."""
-    return "coolwarm" if least == -greatest else "viridis"
+def colour_map(name: str) -> LinearSegmentedColormap:
+    """Return one of the `COLOUR_MAPS`."""
+    from matplotlib.colors import LinearSegmentedColormap
 
-
-def colour_limits(values: np.typing.NDArray[np.float64]) -> tuple[float, float]:
-    """Return the limits of the colour scale. Values of both signs give limits symmetric about zero."""
-    known = values[np.isfinite(values)]
-    least, greatest = (float(known.min()), float(known.max())) if known.size else (0.0, 0.0)
-    far = max(abs(least), abs(greatest))
-    if far == 0:
-        return 0.0, 1.0
-    # Limits within a thousandth of zero are zero up to numerical errors.
-    least, greatest = (0.0 if abs(end) < 1e-3 * far else end for end in (least, greatest))
-    return (-far, far) if least < 0 < greatest else (least, greatest)
+    return LinearSegmentedColormap.from_list(name, [f"#{colour}" for colour in COLOUR_MAPS[name].split()])

@@ -9,7 +9,7 @@ from ancf.display.numbers_table import numbers_table
 from ancf.display.tables import Table, collapsible, joined, representation, titled
 from ancf.graphics.animation import Animations
 from ancf.graphics.curves import CurvePlots
-from ancf.graphics.stage import Scenes
+from ancf.graphics.space.stage import Scenes
 from ancf.record.columns import ENERGIES
 from ancf.report import Report
 

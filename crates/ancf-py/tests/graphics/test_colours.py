@@ -12,8 +12,8 @@ import pytest
 
 import ancf
 from ancf.graphics.quantities import Quantity, quantity
-from ancf.graphics.scene import Scene
-from ancf.graphics.stage import Stage
+from ancf.graphics.space.scene import Scene
+from ancf.graphics.space.stage import Stage
 from ancf.graphics.style import COLOUR_MAPS, colour_map
 
 ROOT = Path(__file__).parents[4]
@@ -65,7 +65,7 @@ def test_plots_and_scenes_use_the_same_map() -> None:
         stage.plotter.close()
         assert colours["cmap"].name == bands.get_cmap().name == quantity(run, color).colour_map
         assert colours["clim"] == pytest.approx(bands.get_clim())
-        assert colours["scalar_bar_args"]["title"].strip() == ax.figure.axes[1].get_ylabel()
+        assert colours["scalar_bar_args"]["title"].split() == ax.figure.axes[1].get_ylabel().split()
         points = stage.mesh[color]
         assert points.min() >= colours["clim"][0] - 1e-9
         assert points.max() <= colours["clim"][1] + 1e-9

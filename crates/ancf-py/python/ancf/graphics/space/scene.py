@@ -10,8 +10,8 @@ from ancf import _ancf
 from ancf.graphics.frames import require_int
 from ancf.graphics.lines import Lines
 from ancf.graphics.quantities import quantity
+from ancf.graphics.space.surface import Outlines, Surface
 from ancf.graphics.style import COLOURS
-from ancf.graphics.surface import Outlines, Surface
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
@@ -97,14 +97,18 @@ class Scene:
         """Return the positions of joints in a frame by name: those of their ends `a`."""
         return self.symbols(row)["joint"]
 
-    def symbols(self, row: int) -> dict[str, dict[str, Array]]:
+    def symbols(self, row: int, scale: float | None = None) -> dict[str, dict[str, Array]]:
         """Return the positions of joints, probes and loads in a frame, by kind and name."""
-        scale = self.lines.scale(row) if self.scale is None else self.scale
-        names, kinds, positions = self.geometry.symbols(row, scale, self.lines.modal)
+        names, kinds, positions = self.geometry.symbols(row, self.factor_of(row, scale), self.lines.modal)
         found: dict[str, dict[str, Array]] = {"joint": {}, "probe": {}, "load": {}}
         for name, kind, position in zip(names, kinds, positions, strict=True):
             found[kind][name] = position
         return found
+
+    def factor_of(self, row: int, scale: float | None = None) -> float:
+        """Return the factor of deflections in a frame."""
+        scale = self.scale if scale is None else scale
+        return self.lines.scale(row) if scale is None else scale
 
     def move(self, mesh: PolyData, row: int, scale: float | None = None) -> None:
         """Move a mesh of this scene to another frame."""

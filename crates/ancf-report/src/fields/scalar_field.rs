@@ -31,9 +31,12 @@ pub struct ScalarField {
 /// | axial force, torque, bending moment y, z | N, T, My, Mz of the section; cables have no bending moment about an axis |
 /// | shear force, bending moment | √(Qy² + Qz²), √(My² + Mz²) |
 /// | axial stress | maximum of abs(N/A + My z/I_y − Mz y/I_z) over the outline |
+/// | shear stress | sum of the maxima of the shear stresses by torsion and by the shear force |
+/// | von Mises stress | √(σ² + 3τ²), the larger of its values at the extreme fibre and at the neutral axis |
 /// | strain | Green's strain E_xx of the axis |
 /// | speed | speed of the axis |
 /// | displacement | distance from the reference placement |
+/// | relative displacement | displacement of a mode shape relative to its maximum |
 /// | error of the mesh | contribution of the body to the largest relative error ([`BodyError`]) |
 #[derive(Debug)]
 pub struct ScalarFields<'a> {
@@ -48,7 +51,7 @@ pub struct ScalarFields<'a> {
 }
 
 /// Index of the first field that depends on the motion only.
-const MOTION: usize = 8;
+const MOTION: usize = 10;
 
 impl<'a> ScalarFields<'a> {
     /// Fields of a model in the user's units, without values.
@@ -66,6 +69,11 @@ impl<'a> ScalarFields<'a> {
             diverging,
             values: Vec::new(),
         };
+        let is_modal = matches!(model.analysis, Analysis::Modes(_) | Analysis::Buckling(_));
+        let (displacement, length) = match is_modal {
+            true => ("relative displacement", Dimension::NUMBER),
+            false => ("displacement", Dimension::LENGTH),
+        };
         let all = vec![
             of("axial force", "N", Dimension::FORCE, true),
             of("shear force", "Q", Dimension::FORCE, false),
@@ -74,12 +82,13 @@ impl<'a> ScalarFields<'a> {
             of("bending moment y", "My", Dimension::ENERGY, true),
             of("bending moment z", "Mz", Dimension::ENERGY, true),
             of("axial stress", "σ", Dimension::STRESS, false),
+            of("shear stress", "τ", Dimension::STRESS, false),
+            of("von Mises stress", "σv", Dimension::STRESS, false),
             of("strain", "ε", Dimension::NUMBER, true),
             of("speed", "v", Dimension::VELOCITY, false),
-            of("displacement", "u", Dimension::LENGTH, false),
+            of(displacement, "u", length, false),
             of("error of the mesh", "e", Dimension::NUMBER, false),
         ];
-        let is_modal = matches!(model.analysis, Analysis::Modes(_) | Analysis::Buckling(_));
         let has_velocities = model.analysis.dynamics().is_some();
         let sections = SectionStress::at_stations(model, geometry);
         let error_of = |body: usize| {
@@ -108,8 +117,11 @@ impl<'a> ScalarFields<'a> {
             let speed = |v: &[f64]| Vector3::from_column_slice(v).norm() as f32;
             self.all[MOTION].values.extend(speeds.chunks_exact(3).map(speed));
         }
-        let moved = placed.centres.iter().zip(&reference.centres);
-        self.all[MOTION + 1].values.extend(moved.map(|(x, from)| (x - from).norm() as f32));
+        let moved = placed.centres.iter().zip(&reference.centres).map(|(x, from)| (x - from).norm());
+        let moved: Vec<f64> = moved.collect();
+        let largest = moved.iter().copied().fold(0.0, f64::max);
+        let unit = if self.is_modal && largest > 0.0 { largest } else { 1.0 };
+        self.all[MOTION + 1].values.extend(moved.iter().map(|x| (x / unit) as f32));
         self.all[MOTION + 2].values.extend_from_slice(&self.errors);
     }
 
@@ -120,10 +132,12 @@ impl<'a> ScalarFields<'a> {
             return [f64::NAN; MOTION];
         };
         let &[n, qy, qz, t, my, mz] = forces else { return [f64::NAN; MOTION] };
-        let stress = section.largest_stress([n, qy, qz, t, my, mz]);
+        let forces = [n, qy, qz, t, my, mz];
+        let stress = section.largest_stress(forces);
+        let (shear, equivalent) = (section.largest_shear(forces), section.von_mises(forces));
         let [strain, _] = mesh.strain_and_stress(s, station.s / self.scales.length, [0.0; 2]);
         let axes = if section.has_axes { [my, mz] } else { [f64::NAN; 2] };
-        [n, qy.hypot(qz), t, my.hypot(mz), axes[0], axes[1], stress, strain[(0, 0)]]
+        [n, qy.hypot(qz), t, my.hypot(mz), axes[0], axes[1], stress, shear, equivalent, strain[(0, 0)]]
     }
 
     /// Returns the fields that have a finite value.

@@ -44,6 +44,10 @@ mod _ancf {
     #[pymodule_export]
     const POINT_MASS_RADIUS: f64 = ancf_report::geometry::POINT_MASS_RADIUS;
 
+    /// Colour maps of quantities in JSON.
+    #[pymodule_export]
+    const COLOUR_MAPS: &str = ancf_report::COLOUR_MAPS;
+
     /// Fixed columns of the table of a study.
     #[pymodule_export]
     const STUDY_COLUMNS: [&str; 7] = ancf_study::TABLE_COLUMNS;

@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 __all__ = [
     "BOX_EDGE",
+    "COLOUR_MAPS",
     "MAX_CASES",
     "MAX_SOBOL_DIMENSION",
     "POINT_MASS_RADIUS",
@@ -40,6 +41,7 @@ __all__ = [
 
 VERSION: str
 BOX_EDGE: float
+COLOUR_MAPS: str
 POINT_MASS_RADIUS: float
 STUDY_COLUMNS: list[str]
 MAX_CASES: int

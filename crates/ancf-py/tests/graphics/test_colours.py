@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import re
+import json
 from functools import cache
 from pathlib import Path
 
@@ -26,28 +26,33 @@ def result(name: str) -> ancf.Result:
 
 
 def test_the_maps_are_those_of_the_report() -> None:
-    source = (ROOT / "viewer/src/base/colours.ts").read_text("utf-8")
-    for variable, name in (("VIRIDIS", "sequential"), ("COOL_WARM", "diverging")):
-        listed = re.search(rf'const {variable} = "([0-9a-f ]+)"', source)
-        assert listed is not None
-        assert listed[1] == COLOUR_MAPS[name]
+    table = json.loads((ROOT / "crates/ancf-report/assets/colour_maps.json").read_text("utf-8"))
+    assert table == COLOUR_MAPS
+    assert (table["sequential"], table["diverging"]) == ("viridis", "coolwarm")
     # The sequential map is that of matplotlib up to the interpolation.
     at = np.linspace(0, 1, 50)
-    np.testing.assert_allclose(colour_map("sequential")(at), mpl.colormaps["viridis"](at), atol=0.06)
+    np.testing.assert_allclose(colour_map("viridis")(at), mpl.colormaps["viridis"](at), atol=0.06)
+
+
+def test_the_signs_of_quantities_are_those_of_the_report() -> None:
+    run = result("robot_arm")
+    for name, sign in COLOUR_MAPS["quantities"].items():
+        if name not in {"relative displacement", "error of the mesh"}:
+            assert quantity(run, name.lower().replace(" ", "_")).is_signed == (sign == "signed"), name
 
 
 def test_signed_quantities_with_both_signs_diverge() -> None:
     both = Quantity("force", "N", is_signed=True, values=np.array([[-1.0, 2.0], [0.5, 4.0]]))
-    assert both.colour_map == "diverging"
+    assert both.colour_map == "coolwarm"
     assert both.limits(both.values) == (-4, 4)
     # One frame has positive values only, but the colours of a value are the same in all frames.
     assert both.limits(both.values[1]) == (-4, 4)
     tension = Quantity("force", "N", is_signed=True, values=np.array([[1.0, 3.0], [-1e-9, np.nan]]))
-    assert tension.colour_map == "sequential"
+    assert tension.colour_map == "viridis"
     assert tension.limits(tension.values) == (0, 3)
     assert tension.limits(tension.values[0]) == (1, 3)
     size = Quantity("speed", "m/s", is_signed=False, values=np.array([[-1.0, 2.0]]))
-    assert size.colour_map == "sequential"
+    assert size.colour_map == "viridis"
     zero = Quantity("speed", "m/s", is_signed=False, values=np.zeros((1, 2)))
     assert zero.limits(zero.values) == (0, 1)
     same = Quantity("speed", "m/s", is_signed=False, values=np.full((1, 2), 2.0))
@@ -75,7 +80,7 @@ def test_a_mooring_uses_the_whole_scale() -> None:
     force = quantity(result("mooring"), "N")
     low, high = force.limits(force.values[-1])
     known = force.values[-1][np.isfinite(force.values[-1])]
-    assert force.colour_map == "sequential"
+    assert force.colour_map == "viridis"
     assert (low, high) == pytest.approx((known.min(), known.max()))
 
 

@@ -66,6 +66,30 @@ def test_the_axial_stress_is_that_of_a_beam() -> None:
     np.testing.assert_allclose(run.field("bending_moment", rows=-1), np.abs(forces[:, 5]), rtol=1e-5)
 
 
+def test_a_twisted_shaft_has_the_equivalent_stress_of_shear() -> None:
+    diameter, torque = 0.02, 10.0
+    shaft = ancf.Beam(
+        "shaft",
+        from_=[0, 0, 0],
+        to=[1, 0, 0],
+        elements=2,
+        section=ancf.Circle(diameter=diameter),
+        material=ancf.Material("steel", density=7850, young=2.1e11, poisson=0.3),
+    )
+    run = ancf.statics(
+        ancf.Model(
+            bodies=[shaft],
+            joints=[ancf.Clamp("root", a=shaft.start)],
+            loads=[ancf.Moment(on=shaft.end, moment=[torque, 0, 0])],
+            analysis=ancf.Modes(),
+        )
+    )
+    shear = 16 * torque / (np.pi * diameter**3)
+    np.testing.assert_allclose(run.field("shear_stress", rows=-1), shear, rtol=1e-3)
+    np.testing.assert_allclose(run.field("von_mises_stress", rows=-1), np.sqrt(3) * shear, rtol=1e-3)
+    np.testing.assert_allclose(run.field("axial_stress", rows=-1), 0, atol=1e-2 * shear)
+
+
 def test_a_dataset_has_scalar_fields_with_units() -> None:
     data = result().to_xarray(["axial_stress", "stress", "position"], parts=2)
     assert data["axial_stress"].dims == ("load", "station")
@@ -92,6 +116,8 @@ def test_shapes_are_coloured_by_stress_with_a_prefix() -> None:
     run = result()
     for color, label in (
         ("axial_stress", "axial stress, MPa"),
+        ("stress", "von Mises stress, MPa"),
+        ("shear_stress", "shear stress, MPa"),
         ("sxx", "stress sxx, MPa"),
         ("exx", "strain exx"),
         ("strain", "strain"),

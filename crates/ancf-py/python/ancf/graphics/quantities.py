@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ancf.display.numbers import display_unit, with_unit
+from ancf.graphics.style import COLOUR_MAPS
 from ancf.record.columns import VECTORS, Array
 from ancf.record.suggestion import unknown_name
 
@@ -43,8 +44,11 @@ LABELS = {
 SYNONYMS = {"stress": "von_mises_stress", "von_mises": "von_mises_stress"}
 """Short names of scalar fields."""
 
+SIGN_NOISE = 1e-6
+"""Values below this fraction of the largest magnitude have no sign, as in reports."""
+
 NOISE = 1e-3
-"""Values below this fraction of the largest magnitude have no sign."""
+"""Limits below this fraction of the other limit are zero."""
 
 
 @dataclass(frozen=True)
@@ -60,12 +64,12 @@ class Quantity:
     @property
     def colour_map(self) -> str:
         """Name of the colour map: diverging if a signed quantity has both signs in the result."""
-        return "diverging" if self._has_both_signs else "sequential"
+        return str(COLOUR_MAPS["diverging" if self._has_both_signs else "sequential"])
 
     @property
     def _has_both_signs(self) -> bool:
         least, greatest = ends(self.values)
-        far = NOISE * max(-least, greatest)
+        far = SIGN_NOISE * max(-least, greatest)
         return self.is_signed and least < -far and greatest > far
 
     def limits(self, shown: Array) -> tuple[float, float]:

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import json
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
+
+from ancf import _ancf
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -20,15 +23,8 @@ GREY = "#b8b8b8"
 ARM_GREY = "#888888"
 """Colour of the arms of rigid bodies, and of rigid bodies beside bodies coloured by values."""
 
-COLOUR_MAPS = {
-    "sequential": "440154 482878 3e4989 31688e 26828e 1f9e89 35b779 6ece58 b5de2b fde725",
-    "diverging": "3b4cc0 688aef 99baff c9d8ef dddddd edd1c2 f7a789 e36a53 b40426",
-}
-"""Colour maps of quantities, as in reports.
-
-The sequential map is viridis (van der Walt & Smith 2015), the diverging map, for quantities with positive and negative
-values, is that of Moreland (2009).
-"""
+COLOUR_MAPS: dict[str, Any] = json.loads(_ancf.COLOUR_MAPS)
+"""Colour maps of quantities, as in reports: names of the sequential and the diverging map, and colours by name."""
 
 
 @contextmanager
@@ -64,7 +60,8 @@ def grid(ax: Axes) -> None:
 
 
 def colour_map(name: str) -> LinearSegmentedColormap:
-    """Return one of the `COLOUR_MAPS`."""
+    """Return one of the colour maps of reports."""
     from matplotlib.colors import LinearSegmentedColormap
 
-    return LinearSegmentedColormap.from_list(name, [f"#{colour}" for colour in COLOUR_MAPS[name].split()])
+    colours = COLOUR_MAPS["maps"][name].split()
+    return LinearSegmentedColormap.from_list(name, [f"#{colour}" for colour in colours])

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from ancf.display.numbers import energy_unit, format_number, with_unit
+from ancf.display.numbers import format_number, with_unit
 from ancf.display.numbers_table import numbers_table
 from ancf.display.tables import Table, collapsible, joined, representation, titled
 from ancf.graphics.animation import Animations
 from ancf.graphics.curves import CurvePlots
 from ancf.graphics.space.stage import Scenes
-from ancf.record.columns import ENERGIES
+from ancf.record.columns import shown_unit
 from ancf.report import Report
 
 if TYPE_CHECKING:
@@ -64,7 +64,7 @@ class Result(CurvePlots, Animations, Scenes):
 
     def _repr_html_(self) -> str:
         columns = {name: self[name] for name in self.columns}
-        units = {name: energy_unit(unit) if name in ENERGIES else unit for name, unit in self.units.items()}
+        units = {name: shown_unit(name, unit) for name, unit in self.units.items()}
         title = str(self.model.get("title") or "")
         names = f"columns ({len(columns)}): first, last, minimum and maximum"
         table = collapsible(names, numbers_table(columns, units).html(), is_open=False)

@@ -64,6 +64,17 @@ def test_energies_sum_up_and_the_pendulum_keeps_them() -> None:
     assert np.ptp(drawn["total"]) < 1e-3 * np.ptp(drawn["kinetic"])
 
 
+def test_angles_have_radians() -> None:
+    run = result("slider_crank")
+    assert run.plot("motor.angle").get_ylabel() == "motor.angle, rad"
+    assert run.plot("motor.rate").get_ylabel() == "motor.rate, rad/s"
+    assert run.plot("kinetic").get_ylabel() == "kinetic, J"
+    assert run.plot("motor.mz").get_ylabel() == "motor.mz, N m"
+    model = ancf.Model.read(MODELS / "slider_crank.toml")
+    model.units = None
+    assert ancf.run(model).plot("motor.angle").get_ylabel() == "motor.angle"
+
+
 def test_a_curve_over_another_column_is_the_circle_of_a_pendulum() -> None:
     (line,) = result("revolute_pendulum").plot("tip.y", x="tip.x").get_lines()
     radius = np.hypot(line.get_xdata(), line.get_ydata())
@@ -113,8 +124,17 @@ def test_settings_of_matplotlib_stay_as_they_are() -> None:
 def test_the_overview_shows_probes_and_energies() -> None:
     run = result("slider_crank")
     axes = run.plot()
-    moved = [f"{name} moved by, m" for name in ("pin", "middle", "block")]
-    assert [ax.get_ylabel() for ax in axes] == [*moved, "energy, N m"]
+    moved = [f"displacement of {name}, m" for name in ("pin", "middle", "block along x")]
+    assert [ax.get_ylabel() for ax in axes] == [*moved, "energy, J"]
+    # Curves that are zero are omitted: no z in a planar motion, no gravity, no damping.
+    assert [line.get_label() for line in axes[0].get_lines()] == ["pin.x", "pin.y"]
+    assert [line.get_label() for line in axes[3].get_lines()] == [
+        "kinetic",
+        "strain",
+        "work",
+        "balance",
+        "total",
+    ]
     np.testing.assert_array_equal(axes[0].get_lines()[1].get_ydata(), run["pin.y"] - run["pin.y"][0])
 
 

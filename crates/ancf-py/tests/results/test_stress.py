@@ -117,7 +117,7 @@ def test_shapes_are_coloured_by_stress_with_a_prefix() -> None:
     for color, label in (
         ("axial_stress", "axial stress, MPa"),
         ("stress", "von Mises stress, MPa"),
-        ("shear_stress", "shear stress, MPa"),
+        ("shear_stress", "shear stress, kPa"),
         ("sxx", "stress sxx, MPa"),
         ("exx", "strain exx"),
         ("strain", "strain"),

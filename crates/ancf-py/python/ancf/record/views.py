@@ -5,10 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Generic, TypeVar
 
-from ancf.display.numbers import energy_unit
 from ancf.display.numbers_table import numbers_table
 from ancf.display.tables import Table, representation, titled
-from ancf.record.columns import ENERGIES, JOINT_COORDINATES, VECTORS, Array, Columns
+from ancf.record.columns import ENERGIES, JOINT_COORDINATES, VECTORS, Array, Columns, shown_unit
 from ancf.record.suggestion import unknown_name
 
 if TYPE_CHECKING:
@@ -65,7 +64,7 @@ class View:
         raise NotImplementedError
 
     def _unit(self, column: str) -> str | None:
-        return self._columns.units.get(column)
+        return shown_unit(column, self._columns.units.get(column))
 
     def _table(self) -> Table:
         own = self._own()
@@ -194,9 +193,6 @@ class Energy(View):
 
     def _own(self) -> dict[str, str]:
         return {name: name for name in ENERGIES if name in self._columns}
-
-    def _unit(self, column: str) -> str | None:
-        return energy_unit(super()._unit(column))
 
     @property
     def kinetic(self) -> Array:

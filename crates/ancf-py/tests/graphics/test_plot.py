@@ -182,6 +182,21 @@ def test_arms_of_rigid_bodies_reach_their_joints() -> None:
         )
 
 
+def test_joints_and_supports_are_at_their_positions() -> None:
+    run = result("robot_arm")
+    ax = run.plot_shape(time=[0.5, 1.0])
+    drawn = {line.get_marker(): line for line in ax.get_lines() if line.get_label() == "_joints"}
+    assert set(drawn) == {"o", 6}
+    np.testing.assert_allclose(np.stack(drawn[6].get_data(), axis=1), [[0, 0]], atol=1e-6)
+    row = int(np.abs(run.time - 1.0).argmin())
+    elbow = run.field("position", "upper", rows=row)[-1, :2]
+    np.testing.assert_allclose(np.stack(drawn["o"].get_data(), axis=1)[0], elbow, atol=1e-6)
+    clamped = result("cantilever").plot_shape()
+    assert [line.get_marker() for line in clamped.get_lines() if line.get_label() == "_joints"] == ["s"]
+    without = run.plot_shape(joints=False)
+    assert not [line for line in without.get_lines() if line.get_label() == "_joints"]
+
+
 def test_colours_are_those_of_the_section_forces() -> None:
     run = result("cantilever")
     ax = run.plot_shape(400, color="Mz", parts=2)

@@ -37,6 +37,8 @@ class Lines:
         self.modal = result.is_modal
         """True if the frames are shapes."""
         self.shapes: Array | None = result.shape_at(parts=parts) if self.modal else None
+        self.geometry = _ancf.ModelGeometry(result.states)
+        """Positions of joints and arms."""
         self.arms = Arms.of(result, self, parts)
         """Arms of the rigid bodies."""
 
@@ -64,6 +66,15 @@ class Lines:
         )
         return deflected
 
+    def symbols(self, row: int, scale: float | None = None) -> dict[str, dict[str, Array]]:
+        """Return the positions of joints, probes and loads in a frame, by kind and name."""
+        scale = self.scale(row) if scale is None else scale
+        names, kinds, positions = self.geometry.symbols(row, scale, self.modal)
+        found: dict[str, dict[str, Array]] = {"joint": {}, "probe": {}, "load": {}}
+        for name, kind, position in zip(names, kinds, positions, strict=True):
+            found[kind][name] = position
+        return found
+
     def points(self, row: int, positions: Array) -> Array:
         """Return all points of the lines and arms of bodies at `positions`, `[point, 3]`."""
         return np.concatenate([positions, self.arms.tips(row, positions)])
@@ -86,9 +97,8 @@ class Arms:
         rigid = [] if lines.modal else [b["name"] for b in result.model["bodies"] if b["kind"] == "rigid"]
         if not rigid:
             return cls([], np.empty((0, 3)), np.empty((len(result.frames), 0, 3, 3)))
-        geometry = _ancf.ModelGeometry(result.states)
         # Joints at the same point share an arm.
-        offsets = {body: np.unique(geometry.arms(body), axis=0) for body in rigid}
+        offsets = {body: np.unique(lines.geometry.arms(body), axis=0) for body in rigid}
         stations = [lines.bodies[body].start for body, own in offsets.items() for _ in own]
         directors = result.field("directors", parts=parts)[:, stations]
         return cls(stations, np.concatenate(list(offsets.values())), directors)

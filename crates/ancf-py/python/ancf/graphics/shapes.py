@@ -9,6 +9,7 @@ import numpy as np
 from ancf.graphics.artists import (
     body_colours,
     draw_arms,
+    draw_joints,
     draw_legend,
     draw_lines,
     draw_reference,
@@ -42,6 +43,7 @@ class ShapePlots(ResultData):
         color: str | None = None,
         scale: float | None = None,
         reference: bool = True,
+        joints: bool = True,
         parts: int = 8,
         ax: Axes | None = None,
         **line: object,
@@ -65,6 +67,8 @@ class ShapePlots(ResultData):
             Factor of deflections; by default 1, for modes chosen automatically.
         reference
             True to plot the reference configuration in grey.
+        joints
+            True to plot joints and supports in the last of the rows.
         parts
             Number of segments per element.
         ax
@@ -96,6 +100,8 @@ class ShapePlots(ResultData):
                 factor, label = found.scaled(limits)
                 colours = (found.colour_map, (factor * limits[0], factor * limits[1]))
                 bands = draw_values(ax, view, lines, own, factor * found.values[row], colours, look)
+            if joints:
+                draw_joints(ax, view, lines, self.model.get("joints", []), wanted[-1], scale)
             view.fit(ax, extent)
             if found is not None:
                 pad = 0.1 if view.spatial else 0.03

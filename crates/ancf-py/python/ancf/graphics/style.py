@@ -20,6 +20,9 @@ COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#4
 GREY = "#b8b8b8"
 """Colour of the reference configuration."""
 
+SUPPORT_GREY = "#8a8a8a"
+"""Colour of supports on the ground."""
+
 ARM_GREY = "#888888"
 """Colour of the arms of rigid bodies, and of rigid bodies beside bodies coloured by values."""
 

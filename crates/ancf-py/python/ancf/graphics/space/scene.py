@@ -44,8 +44,8 @@ class Scene:
         """Compute the surfaces of `Result.scene`. Their minimum thickness is `least` times the size of the model."""
         require_int("sides", sides, 3)
         self.result, self.color = result, color
-        self.geometry = _ancf.ModelGeometry(result.states)
         self.lines = Lines(result, parts)
+        self.geometry = self.lines.geometry
         self.scale = scale
         self.directors = result.field("directors", parts=parts)
         self.quantity = None if color is None else quantity(result, color, parts)
@@ -99,11 +99,7 @@ class Scene:
 
     def symbols(self, row: int, scale: float | None = None) -> dict[str, dict[str, Array]]:
         """Return the positions of joints, probes and loads in a frame, by kind and name."""
-        names, kinds, positions = self.geometry.symbols(row, self.factor_of(row, scale), self.lines.modal)
-        found: dict[str, dict[str, Array]] = {"joint": {}, "probe": {}, "load": {}}
-        for name, kind, position in zip(names, kinds, positions, strict=True):
-            found[kind][name] = position
-        return found
+        return self.lines.symbols(row, self.factor_of(row, scale))
 
     def factor_of(self, row: int, scale: float | None = None) -> float:
         """Return the factor of deflections in a frame."""

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ancf.display.numbers import quantity_text
+from ancf.graphics.style import SUPPORT_GREY
 from ancf.record.columns import Array
 
 if TYPE_CHECKING:
@@ -42,7 +43,7 @@ COILS, POINTS_OF_COIL = 8, 16
 
 COLOURS = {
     "joints": "#303030",
-    "ground": "#8a8a8a",
+    "ground": SUPPORT_GREY,
     "links": "#5b6770",
     "probes": "#E69F00",
     "reactions": "#C2185B",

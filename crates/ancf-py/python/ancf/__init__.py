@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from ancf import _ancf, model
 from ancf.analysis import buckling, check, load, modes, path, run, scaled, schema, statics
-from ancf.errors import AnalysisError, Fault, ModelError
+from ancf.errors import AnalysisError, AnalysisWarning, Fault, ModelError
 from ancf.model import *  # noqa: F403
 from ancf.names import unknown as _unknown
 from ancf.record.instant import Instant
@@ -19,6 +19,7 @@ __version__ = _ancf.VERSION
 
 __all__ = [
     "AnalysisError",
+    "AnalysisWarning",
     "Fault",
     "Instant",
     "ModelError",

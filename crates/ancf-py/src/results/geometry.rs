@@ -19,6 +19,9 @@ type EdgesAndAxes<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray2<f64>>);
 /// Points of outlines, points of bores, edges.
 type OutlineArrays<'py, A> = (Bound<'py, A>, Option<Bound<'py, A>>, Bound<'py, PyArray2<i64>>);
 
+/// Names, kinds, positions of symbols or ends of links.
+type Placed<'py, A> = (Vec<String>, Vec<&'static str>, Bound<'py, A>);
+
 /// Returns the outline of a section: outer points and points of the bore `[point, 2]`, and edges `[edge, 2]`.
 #[pyfunction]
 pub(crate) fn outline<'py>(
@@ -112,7 +115,7 @@ impl ModelGeometry {
         frame: usize,
         scale: f64,
         modal: bool,
-    ) -> PyResult<(Vec<String>, Vec<&'static str>, Bound<'py, PyArray2<f64>>)> {
+    ) -> PyResult<Placed<'py, PyArray2<f64>>> {
         let state = self.deflected(frame, scale, modal)?;
         let all = &self.symbols.all;
         let positions: Vec<[f64; 3]> = all.iter().map(|symbol| symbol.position(&state)).collect();
@@ -128,7 +131,7 @@ impl ModelGeometry {
         frame: usize,
         scale: f64,
         modal: bool,
-    ) -> PyResult<(Vec<String>, Vec<&'static str>, Bound<'py, PyArray3<f64>>)> {
+    ) -> PyResult<Placed<'py, PyArray3<f64>>> {
         let state = self.deflected(frame, scale, modal)?;
         let ends: Vec<f64> =
             self.links.iter().flat_map(|link| link.ends(&state)).flat_map(<[f64; 3]>::from).collect();

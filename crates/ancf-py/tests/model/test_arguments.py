@@ -134,6 +134,11 @@ def test_values_instead_of_parts_are_rejected() -> None:
         ancf.run(beam())
 
 
+def test_a_force_function_is_positional() -> None:
+    force = ancf.ExternalForce(lambda t, x, v: -x, on=PLACE)
+    assert callable(force.name)
+
+
 def test_help_shows_the_arguments() -> None:
     signature = inspect.signature(ancf.Beam)
     assert list(signature.parameters)[:4] == ["name", "from_", "to", "elements"]

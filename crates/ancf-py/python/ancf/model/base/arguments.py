@@ -56,7 +56,9 @@ class Arguments:
         """Raise a `TypeError` for unknown, surplus or missing arguments."""
         given = [*self.positional[: len(args)], *kwargs]
         is_complete = all(name in given for name in self.required)
-        has_name = not (args and self.positional[:1] == ["name"]) or isinstance(args[0], str | None)
+        # A force function is given instead of its name.
+        is_name = not args or isinstance(args[0], str | None) or callable(args[0])
+        has_name = is_name or self.positional[:1] != ["name"]
         if is_complete and has_name and len(args) <= len(self.positional) and kwargs.keys() <= self._known:
             return
         raise TypeError("\n".join(self._errors(args, kwargs, has_name=has_name)))

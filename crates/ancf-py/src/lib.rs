@@ -13,9 +13,11 @@ use pyo3::prelude::*;
 #[pymodule]
 mod _ancf {
     #[pymodule_export]
-    use super::input::{check_part, diagnose, read, scaled, schema, substitute, to_toml};
+    use super::input::{check_part, diagnose, nearest, read, scaled, schema, substitute, to_toml};
     #[pymodule_export]
     use super::results::report::report;
+    #[pymodule_export]
+    use super::results::scalars::scalar_fields;
     #[pymodule_export]
     use super::results::{ModelGeometry, inertia_box, outline};
     #[pymodule_export]
@@ -41,6 +43,10 @@ mod _ancf {
     /// Radius of the sphere of a point mass, relative to the size of the model.
     #[pymodule_export]
     const POINT_MASS_RADIUS: f64 = ancf_report::geometry::POINT_MASS_RADIUS;
+
+    /// Colour maps of quantities in JSON.
+    #[pymodule_export]
+    const COLOUR_MAPS: &str = ancf_report::COLOUR_MAPS;
 
     /// Fixed columns of the table of a study.
     #[pymodule_export]

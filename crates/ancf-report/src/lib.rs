@@ -58,3 +58,6 @@ mod serve;
 pub use run::{Ending, Recording, Snapshot, summary_rows, summary_warnings};
 pub use scene::{BUDGET, container, live_page, page, scene};
 pub use serve::{SceneSource, Server, StopFlag};
+
+/// Colour maps of quantities in JSON, for the browser and for other programs.
+pub const COLOUR_MAPS: &str = include_str!("../assets/colour_maps.json");

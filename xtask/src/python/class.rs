@@ -9,7 +9,7 @@ use super::hint::{arms, hint};
 use super::names;
 use super::text::{WIDTH, meaning, summary, wrapped};
 
-const DATACLASS: &str = "@dataclass(kw_only=True, slots=True, eq=False, repr=False)\n";
+const DATACLASS: &str = "@checked_arguments\n@dataclass(kw_only=True, slots=True, eq=False, repr=False)\n";
 /// Description of the attribute `name` of a part whose name is its key in a table of the model.
 const NAME: &str = "Key in the table of the model, for a part that is given instead of its name. Chosen automatically if omitted.";
 
@@ -33,7 +33,7 @@ impl Block {
     fn class(schema: &Json, form: &Form) -> Self {
         let base = names::base(form.definition, &form.class);
         let mut block = Self { name: form.class.clone(), module: form.module, ..Self::default() };
-        block.uses(&["dataclass", base]);
+        block.uses(&["checked_arguments", "dataclass", base]);
         let mut text = format!("{DATACLASS}class {}({base}):\n", form.class);
         text += &docstring(schema, form, base == "Shared");
         text += &format!("\n    _form = {:?}\n", form.definition);
@@ -109,7 +109,7 @@ pub(super) fn blocks(schema: &Json, name: &str) -> Vec<Block> {
     let of = definition(schema, name);
     let forms = forms(name, of);
     let mut blocks: Vec<Block> = forms.iter().map(|form| Block::class(schema, form)).collect();
-    if !forms.iter().any(|form| form.class == name) || forms.len() > 1 {
+    if !forms.iter().any(|form| form.class == names::alias(name)) || forms.len() > 1 {
         blocks.push(Block::alias(schema, name, of, &forms));
     }
     blocks

@@ -59,7 +59,7 @@ fn form<'a>(definition: &'a str, table: &'a Json, is_alone: bool) -> Form<'a> {
     let required: Vec<&str> =
         table["required"].as_array().into_iter().flatten().filter_map(Json::as_str).collect();
     let word = tag.map(|(_, word)| word).or(required.first().copied()).unwrap_or_default();
-    let class = if is_alone { definition.to_owned() } else { names::class(definition, word) };
+    let class = if is_alone { names::alias(definition).to_owned() } else { names::class(definition, word) };
     let mut keys: Vec<Key<'a>> = properties()
         .filter(|(name, _)| tag.is_none_or(|(tag, _)| tag != *name))
         .map(|(name, schema)| Key { name, schema, is_required: required.contains(&name.as_str()) })

@@ -4,16 +4,8 @@ use std::collections::BTreeSet;
 
 use serde_json::Value as Json;
 
-use super::form::{alternatives, definition, forms, referred};
+use super::form::{alternatives, referred};
 use super::names;
-
-/// Returns the name of the class or type alias of a definition.
-pub(super) fn type_name(schema: &Json, name: &str) -> String {
-    match &forms(name, definition(schema, name))[..] {
-        [form] if form.class == name => form.class.clone(),
-        _ => names::alias(name).to_owned(),
-    }
-}
 
 /// Returns the type hint of a schema and adds the names in it to `uses`.
 pub(super) fn hint(schema: &Json, of: &Json, uses: &mut BTreeSet<String>) -> String {
@@ -37,7 +29,7 @@ pub(super) fn arms(schema: &Json, of: &Json, uses: &mut BTreeSet<String>) -> Vec
 
 fn one(schema: &Json, of: &Json, uses: &mut BTreeSet<String>) -> String {
     if let Some(name) = referred(of) {
-        let name = type_name(schema, name);
+        let name = names::alias(name).to_owned();
         uses.insert(name.clone());
         return name;
     }

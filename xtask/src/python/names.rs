@@ -53,11 +53,15 @@ const DRIVES: [&str; 7] = [
 ];
 
 /// Names of classes that differ from the word of their form: definition, word or first required key, name.
-const CLASSES: [(&str, &str, &str); 17] = [
-    ("ContactSurface", "bodies", "EachOther"),
+const CLASSES: [(&str, &str, &str); 23] = [
+    ("Analysis", "path", "EquilibriumPath"),
     ("Body", "mass", "PointMass"),
     ("Body", "rigid", "RigidBody"),
+    ("ContactSurface", "bodies", "MutualContact"),
+    ("Joint", "drive", "PrescribedMotion"),
+    ("Joint", "slide", "SlidingJoint"),
     ("Load", "external", "ExternalForce"),
+    ("Load", "fluid", "FluidLoad"),
     ("ScaleChoice", "auto", "AutoScales"),
     ("ScaleChoice", "given", "GivenScales"),
     ("ScaleChoice", "none", "NoScales"),
@@ -67,10 +71,30 @@ const CLASSES: [(&str, &str, &str); 17] = [
     ("Scheme", "spectral_radius", "GeneralizedAlpha"),
     ("Section", "general", "GeneralSection"),
     ("Step", "tolerance", "AdaptiveStep"),
-    ("Stop", "energy", "EnergyStop"),
-    ("Stop", "increment", "IncrementStop"),
-    ("Stop", "residual", "ResidualStop"),
+    ("Stop", "energy", "EnergyCriterion"),
+    ("Stop", "increment", "IncrementCriterion"),
+    ("Stop", "residual", "ResidualCriterion"),
     ("Varying", "external", "ExternalFunction"),
+    ("Varying", "step", "StepFunction"),
+    ("Varying", "table", "TimeTable"),
+];
+
+/// Names of type aliases, and of classes of a single form, that differ from their definition. The word of a key in a model file
+/// is often too general for a name of the package.
+const DEFINITIONS: [(&str, &str); 13] = [
+    ("About", "LinearizationState"),
+    ("At", "Position"),
+    ("Coupled", "CoupledJoint"),
+    ("End", "JointEnd"),
+    ("Quantity", "ProbeQuantity"),
+    ("Sense", "LoadDirection"),
+    ("Shape", "AxisShape"),
+    ("Slopes", "SlopeCoordinates"),
+    ("Start", "InitialAccelerations"),
+    ("Step", "StepSize"),
+    ("Stop", "ConvergenceCriterion"),
+    ("Unstable", "InstabilityAction"),
+    ("Varying", "VaryingFunction"),
 ];
 
 /// Returns the name of the class of a form of a definition.
@@ -84,10 +108,9 @@ fn camel(word: &str) -> String {
     word.split('_').filter(|part| !part.is_empty()).map(capital).collect()
 }
 
-/// Returns the name of the type alias of a definition with several forms.
+/// Returns the name of the type alias of a definition, or of its class if it has a single form.
 pub(super) fn alias(definition: &str) -> &str {
-    // The class `Step` is the function of time.
-    if definition == "Step" { "StepSize" } else { definition }
+    DEFINITIONS.iter().find(|(of, _)| *of == definition).map_or(definition, |(_, name)| name)
 }
 
 /// Returns a type that Python accepts in addition to the schema, and its description.
@@ -127,6 +150,7 @@ pub(super) fn imported_from(name: &str) -> &'static str {
         "dataclass" | "field" => "dataclasses",
         "ClassVar" | "Literal" | "TypeAlias" => "typing",
         "Axis" | "Frame" | "Point" => "ancf.model.base.axis",
+        "checked_arguments" => "ancf.model.base.arguments",
         "Document" => "ancf.model.document",
         _ => "ancf.model.base.part",
     }

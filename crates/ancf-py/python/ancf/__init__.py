@@ -4,10 +4,13 @@ A model consists of typed objects (`Model`, `Beam`, ...), dictionaries, or a TOM
 and returns a `Result` with NumPy arrays.
 """
 
+from typing import TYPE_CHECKING
+
 from ancf import _ancf, model
 from ancf.analysis import buckling, check, load, modes, path, run, scaled, schema, statics
-from ancf.errors import AnalysisError, Fault, ModelError
+from ancf.errors import AnalysisError, AnalysisWarning, Fault, ModelError
 from ancf.model import *  # noqa: F403
+from ancf.names import unknown as _unknown
 from ancf.record.instant import Instant
 from ancf.result import Result
 from ancf.studies import Study, sobol, study
@@ -16,6 +19,7 @@ __version__ = _ancf.VERSION
 
 __all__ = [
     "AnalysisError",
+    "AnalysisWarning",
     "Fault",
     "Instant",
     "ModelError",
@@ -35,3 +39,9 @@ __all__ = [
     "study",
     *model.__all__,
 ]
+
+# A type checker must report unknown names.
+if not TYPE_CHECKING:
+
+    def __getattr__(name: str) -> object:
+        raise AttributeError(_unknown(name, __all__))

@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 __all__ = [
     "BOX_EDGE",
+    "COLOUR_MAPS",
     "MAX_CASES",
     "MAX_SOBOL_DIMENSION",
     "POINT_MASS_RADIUS",
@@ -21,12 +22,14 @@ __all__ = [
     "diagnose",
     "inertia_box",
     "load",
+    "nearest",
     "outline",
     "parameter_type",
     "read",
     "reduce_column",
     "report",
     "sample_probabilities",
+    "scalar_fields",
     "scaled",
     "schema",
     "sobol_points",
@@ -38,6 +41,7 @@ __all__ = [
 
 VERSION: str
 BOX_EDGE: float
+COLOUR_MAPS: str
 POINT_MASS_RADIUS: float
 STUDY_COLUMNS: list[str]
 MAX_CASES: int
@@ -85,9 +89,16 @@ class Simulation:
 
 @final
 class States:
-    def field(self, name: str, parts: int, frames: list[int] | None = None) -> NDArray[np.float64]: ...
+    def field(
+        self,
+        name: str,
+        parts: int,
+        frames: list[int] | None = None,
+        offset: tuple[float, float] = (0.0, 0.0),
+    ) -> NDArray[np.float64]: ...
     def stations(self, parts: int) -> tuple[list[str], list[int], list[float]]: ...
     def __len__(self) -> int: ...
+    def __repr__(self) -> str: ...
 
 @final
 class ModelGeometry:
@@ -96,7 +107,12 @@ class ModelGeometry:
         self, body: str, fractions: list[float], sides: int
     ) -> tuple[NDArray[np.float64], NDArray[np.float64] | None, NDArray[np.int64]]: ...
     def arms(self, body: str) -> NDArray[np.float64]: ...
-    def joints(self, frame: int, scale: float, modal: bool) -> tuple[list[str], NDArray[np.float64]]: ...
+    def symbols(
+        self, frame: int, scale: float, modal: bool
+    ) -> tuple[list[str], list[str], NDArray[np.float64]]: ...
+    def links(
+        self, frame: int, scale: float, modal: bool
+    ) -> tuple[list[str], list[str], NDArray[np.float64]]: ...
 
 def outline(
     section: Mapping[str, Any], sides: int
@@ -126,7 +142,11 @@ def states(
     at: NDArray[np.float64],
     numbers: NDArray[np.float64],
 ) -> States: ...
-def check_part(definition: str, data: Any) -> None: ...
+def check_part(definition: str, data: Any, part: str | None = None) -> None: ...
+def nearest(word: str, candidates: list[str]) -> str | None: ...
+def scalar_fields(
+    states: States, parts: int, frames: list[int] | None = None
+) -> list[tuple[str, str, bool, NDArray[np.float64]]]: ...
 def sample_probabilities(
     sampling: str, count: int, seed: int, parameters: list[str]
 ) -> NDArray[np.float64]: ...

@@ -4,12 +4,16 @@ from __future__ import annotations
 
 import json
 import os
+import sys
+import warnings
 from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, Protocol, TypeAlias, runtime_checkable
 
 from ancf import _ancf
-from ancf.errors import AnalysisError
+from ancf.errors import AnalysisError, AnalysisWarning
+from ancf.model.base.part import Part
+from ancf.model.document import Document
 from ancf.progress import Bar
 from ancf.record.instant import Instant
 from ancf.result import Result
@@ -41,7 +45,8 @@ def data(model: ModelLike) -> dict[str, Any]:
         return _ancf.read(Path(model))
     if isinstance(model, Mapping):
         return dict(model)
-    if isinstance(model, type) or not isinstance(model, HasData):
+    is_part = isinstance(model, Part) and not isinstance(model, Document)
+    if is_part or isinstance(model, type) or not isinstance(model, HasData):
         msg = f"model: found {model!r}, wanted an ancf.Model, its data in a dictionary, or the path of a file"
         raise TypeError(msg)
     return model.to_dict()
@@ -79,12 +84,28 @@ def run(
         If the analysis fails; its `result` has the rows up to the failure. Any other exception that ends a run,
         such as `KeyboardInterrupt`, has the same attribute `result`.
 
+    Warns
+    -----
+    AnalysisWarning
+        For each of `summary["warnings"]`, such as a mesh that is too coarse or units that do not fit.
+
     """
     simulation = _ancf.Simulation(data(model))
     _, duration = simulation.analysis
     observer = None if callback is None else CallbackObserver(callback)
     with Bar(duration, progress) as bar:
-        return run_simulation(simulation, states, observer, bar.tick)
+        result = run_simulation(simulation, states, observer, bar.tick)
+    for text in result.summary.get("warnings", []):
+        warnings.warn(text, AnalysisWarning, stacklevel=stack_level())
+    return result
+
+
+def stack_level() -> int:
+    """Return the level of the first caller outside of this package, to which warnings refer."""
+    level, frame = 2, sys._getframe(2)
+    while frame.f_back is not None and frame.f_globals.get("__name__", "").startswith("ancf."):
+        level, frame = level + 1, frame.f_back
+    return level
 
 
 def run_simulation(
@@ -156,7 +177,7 @@ def statics(model: ModelLike, **settings: Any) -> Result:
 
 
 def path(model: ModelLike, **settings: Any) -> Result:
-    """Trace the equilibrium path of a model through limit points; `settings` are the keys of `ancf.Path`."""
+    """Trace the equilibrium path of a model through limit points; `settings` are the keys of `ancf.EquilibriumPath`."""
     return _analysed(model, "path", settings)
 
 

@@ -63,3 +63,7 @@ class AnalysisError(RuntimeError):
     def __reduce__(self) -> tuple[object, ...]:
         # Results are not sent to other processes.
         return type(self), (str(self),)
+
+
+class AnalysisWarning(UserWarning):
+    """A warning of an analysis that continued: its results may be inaccurate, or the model has a probable error."""

@@ -4,13 +4,20 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from ancf.display.numbers import format_number, with_unit
+from ancf.display.numbers_table import numbers_table
+from ancf.display.tables import Table, collapsible, joined, representation, titled
 from ancf.graphics.animation import Animations
 from ancf.graphics.curves import CurvePlots
-from ancf.graphics.stage import Scenes
+from ancf.graphics.space.stage import Scenes
+from ancf.record.columns import shown_unit
 from ancf.report import Report
 
 if TYPE_CHECKING:
     import os
+
+COUNTS = ("steps", "iterations", "coordinates", "multipliers")
+"""Numbers of a summary."""
 
 
 class Result(CurvePlots, Animations, Scenes):
@@ -44,8 +51,41 @@ class Result(CurvePlots, Animations, Scenes):
         return report
 
     def __repr__(self) -> str:
-        outcome = self.summary.get("outcome", {}).get("kind", "")
-        names = ", ".join(self.probes)
-        return (
-            f"Result({self.kind}, {outcome}, {len(self)} rows, {len(self.columns)} columns, probes: {names})"
+        warnings = self.summary.get("warnings", [])
+        parts = [
+            self.kind,
+            self._outcome(),
+            f"{len(self)} rows",
+            f"{len(self.columns)} columns",
+            *([f"probes: {joined(list(self.probes))}"] if self.probes else []),
+            *([f"{len(warnings)} warning{'s' * (len(warnings) > 1)}"] if warnings else []),
+        ]
+        return f"Result({', '.join(part for part in parts if part)})"
+
+    def _repr_html_(self) -> str:
+        columns = {name: self[name] for name in self.columns}
+        units = {name: shown_unit(name, unit) for name, unit in self.units.items()}
+        title = str(self.model.get("title") or "")
+        names = f"columns ({len(columns)}): first, last, minimum and maximum"
+        table = collapsible(names, numbers_table(columns, units).html(), is_open=False)
+        return representation(
+            [titled("Result", title), Table(("", ""), self._facts(), names=2).html(), table]
         )
+
+    def _outcome(self) -> str:
+        return str(self.summary.get("outcome", {}).get("kind", ""))
+
+    def _facts(self) -> list[list[str]]:
+        """Return outcome, size and names of a result in a table."""
+        outcome = self.summary.get("outcome", {})
+        reason = f": {outcome['reason']}" if outcome.get("reason") else ""
+        rows = [["analysis", f"{self.kind}, {self._outcome()}{reason}"]]
+        if len(self):
+            first = self.columns[0]
+            ends = " ... ".join(format_number(x) for x in (self.data[0, 0], self.data[-1, 0]))
+            rows.append(["rows", f"{len(self)}, {first} = {with_unit(ends, self.units.get(first), ' ')}"])
+        counts = [f"{self.summary[key]} {key}" for key in COUNTS if self.summary.get(key)]
+        rows += [["solver", ", ".join(counts)]] if counts else []
+        for name, views in (("probes", self.probes), ("reactions", self.reactions), ("joints", self.joints)):
+            rows += [[name, joined(list(views), 100)]] if views else []
+        return rows + [["warning", text] for text in self.summary.get("warnings", [])]

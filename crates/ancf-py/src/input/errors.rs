@@ -20,10 +20,23 @@ pub(crate) fn faults(errors: &[ModelError]) -> Vec<FaultArguments> {
 
 /// Creates `ancf.ModelError` with all errors of a model and the file from which it was read.
 pub(crate) fn model_error(py: Python<'_>, errors: &ModelErrors, file: Option<&str>) -> PyErr {
+    error_of_faults(py, faults(errors), file)
+}
+
+/// Creates `ancf.ModelError` with the errors of a part of a model. The label of the part is before each message.
+pub(crate) fn part_error(py: Python<'_>, errors: &ModelErrors, part: Option<&str>) -> PyErr {
+    let mut faults = faults(errors);
+    for (.., text) in &mut faults {
+        *text = part.map_or_else(|| text.clone(), |part| format!("{part}: {text}"));
+    }
+    error_of_faults(py, faults, None)
+}
+
+fn error_of_faults(py: Python<'_>, faults: Vec<FaultArguments>, file: Option<&str>) -> PyErr {
     let error = py
         .import("ancf.errors")
         .and_then(|module| module.getattr("ModelError"))
-        .and_then(|class| class.call_method1("of", (faults(errors), file)));
+        .and_then(|class| class.call_method1("of", (faults, file)));
     error.map_or_else(|why| why, PyErr::from_value)
 }
 

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use ancf::model::{Body, Section};
 use ancf::solver::equations::State;
 use ancf::{Model, Simulation};
-use ancf_report::geometry::{self, Outline, SymbolKind, Symbols};
+use ancf_report::geometry::{self, ARM, Link, Outline, Symbols};
 use numpy::{PyArray1, PyArray2, PyArray3, PyArrayMethods};
 use pyo3::exceptions::{PyKeyError, PyValueError};
 use pyo3::prelude::*;
@@ -18,6 +18,9 @@ type EdgesAndAxes<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray2<f64>>);
 
 /// Points of outlines, points of bores, edges.
 type OutlineArrays<'py, A> = (Bound<'py, A>, Option<Bound<'py, A>>, Bound<'py, PyArray2<i64>>);
+
+/// Names, kinds, positions of symbols or ends of links.
+type Placed<'py, A> = (Vec<String>, Vec<&'static str>, Bound<'py, A>);
 
 /// Returns the outline of a section: outer points and points of the bore `[point, 2]`, and edges `[edge, 2]`.
 #[pyfunction]
@@ -52,6 +55,8 @@ pub(crate) struct ModelGeometry {
     simulation: Arc<Simulation>,
     states: Py<States>,
     symbols: Symbols,
+    /// Springs, rods and bushings.
+    links: Vec<Link>,
 }
 
 #[pymethods]
@@ -65,7 +70,9 @@ impl ModelGeometry {
         let model = valid_model(py, &data)?;
         let simulation = Arc::clone(&own.simulation);
         let symbols = geometry::symbols(&model, &simulation);
-        Ok(Self { model, simulation, states: states.clone().unbind(), symbols })
+        let mut links = geometry::model_links(&model, &simulation);
+        links.retain(|link| link.kind != ARM);
+        Ok(Self { model, simulation, states: states.clone().unbind(), symbols, links })
     }
 
     /// Returns the outlines of a beam or cable at fractions of its length: points `[fraction, point, 2]` and edges.
@@ -99,25 +106,47 @@ impl ModelGeometry {
         PyArray1::from_slice(py, offsets.as_flattened()).reshape([offsets.len(), 3])
     }
 
-    /// Returns names and positions `[joint, 3]` of joints in a frame, with deflections multiplied by `scale`.
-    fn joints<'py>(
+    /// Returns names, kinds and positions `[symbol, 3]` of joints, probes and loads in a frame.
+    ///
+    /// Deflections are multiplied by `scale`.
+    fn symbols<'py>(
         &self,
         py: Python<'py>,
         frame: usize,
         scale: f64,
         modal: bool,
-    ) -> PyResult<(Vec<String>, Bound<'py, PyArray2<f64>>)> {
-        let state = self.states.get().state(frame, modal)?;
-        let state = deflected(&state, &self.simulation.assembly().rest(), scale, modal);
-        let joints = self.symbols.all.iter().filter(|symbol| symbol.kind == SymbolKind::Joint);
-        let (names, positions): (Vec<String>, Vec<[f64; 3]>) =
-            joints.map(|symbol| (symbol.name.clone(), symbol.position(&state))).unzip();
-        let positions = PyArray1::from_slice(py, positions.as_flattened()).reshape([names.len(), 3])?;
-        Ok((names, positions))
+    ) -> PyResult<Placed<'py, PyArray2<f64>>> {
+        let state = self.deflected(frame, scale, modal)?;
+        let all = &self.symbols.all;
+        let positions: Vec<[f64; 3]> = all.iter().map(|symbol| symbol.position(&state)).collect();
+        let positions = PyArray1::from_slice(py, positions.as_flattened()).reshape([all.len(), 3])?;
+        let (names, kinds) = all.iter().map(|symbol| (symbol.name.clone(), symbol.kind.word())).unzip();
+        Ok((names, kinds, positions))
+    }
+
+    /// Returns names, kinds and ends `[link, end, 3]` of springs, rods and bushings in a frame.
+    fn links<'py>(
+        &self,
+        py: Python<'py>,
+        frame: usize,
+        scale: f64,
+        modal: bool,
+    ) -> PyResult<Placed<'py, PyArray3<f64>>> {
+        let state = self.deflected(frame, scale, modal)?;
+        let ends: Vec<f64> =
+            self.links.iter().flat_map(|link| link.ends(&state)).flat_map(<[f64; 3]>::from).collect();
+        let ends = PyArray1::from_vec(py, ends).reshape([self.links.len(), 2, 3])?;
+        let (names, kinds) = self.links.iter().map(|link| (link.name.clone(), link.kind)).unzip();
+        Ok((names, kinds, ends))
     }
 }
 
 impl ModelGeometry {
+    fn deflected(&self, frame: usize, scale: f64, modal: bool) -> PyResult<State> {
+        let state = self.states.get().state(frame, modal)?;
+        Ok(deflected(&state, &self.simulation.assembly().rest(), scale, modal))
+    }
+
     fn body(&self, name: &str) -> PyResult<&Body> {
         let body = self.model.bodies.iter().find(|body| body.name() == name);
         body.ok_or_else(|| PyKeyError::new_err(format!("no body {name:?}")))

@@ -2,5 +2,6 @@
 
 mod geometry;
 pub(crate) mod report;
+pub(crate) mod scalars;
 
 pub(crate) use geometry::{ModelGeometry, inertia_box, outline};

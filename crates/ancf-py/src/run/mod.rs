@@ -7,6 +7,7 @@ pub(crate) mod pickle;
 mod recorder;
 mod simulation;
 mod states;
+mod station_quantity;
 
 pub(crate) use simulation::Simulation;
-pub(crate) use states::States;
+pub(crate) use states::{FIELD_MEMORY, States, checked_parts};

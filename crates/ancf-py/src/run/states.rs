@@ -3,13 +3,14 @@
 use std::sync::Arc;
 
 use ancf::solver::equations::State;
-use ancf::{Field, Fields, Simulation};
+use ancf::{Fields, Simulation};
 use numpy::{PyArray1, PyArray3, PyArrayMethods};
 use pyo3::exceptions::{PyIndexError, PyMemoryError, PyValueError};
 use pyo3::prelude::*;
 
 use super::frames::Frames;
 use super::keep::Keep;
+use super::station_quantity::StationQuantity;
 use crate::input::Signals;
 
 /// States of a run, from which fields are computed.
@@ -25,12 +26,13 @@ pub(crate) struct States {
 }
 
 /// Message about a field that does not fit into memory.
-const FIELD_MEMORY: &str = "the field does not fit into memory; `rows=` and fewer `parts` need less";
+pub(crate) const FIELD_MEMORY: &str =
+    "the field does not fit into memory; `rows=` and fewer `parts` need less";
 /// Maximum number of parts of an element.
 const MAX_PARTS: u32 = 1000;
 
 /// Checks the number of parts of an element.
-fn checked(parts: i64) -> PyResult<u32> {
+pub(crate) fn checked_parts(parts: i64) -> PyResult<u32> {
     let known = u32::try_from(parts).ok().filter(|parts| (1..=MAX_PARTS).contains(parts));
     let wanted = || format!("parts: found {parts}, wanted an integer from 1 to {MAX_PARTS}");
     known.ok_or_else(|| PyValueError::new_err(wanted()))
@@ -96,6 +98,37 @@ fn missing_states(what: &str, wanted: &str) -> String {
     format!("{what}: the run kept no such states; run it with {wanted}; {file}")
 }
 
+impl States {
+    /// Numbers of frames: all by default.
+    ///
+    /// # Errors
+    /// If a frame does not exist.
+    pub(crate) fn checked_frames(&self, frames: Option<Vec<usize>>) -> PyResult<Vec<usize>> {
+        let count = self.frames.len();
+        let frames = frames.unwrap_or_else(|| (0..count).collect());
+        match frames.iter().find(|frame| **frame >= count) {
+            Some(frame) => Err(PyIndexError::new_err(format!("state {frame} of {count}"))),
+            None => Ok(frames),
+        }
+    }
+
+    /// Checks that the states have what a quantity needs: positions, or velocities too.
+    pub(crate) fn require(&self, what: &str, is_positional: bool) -> PyResult<()> {
+        let wanted = match self.frames.keep {
+            Keep::All => return Ok(()),
+            Keep::Positions if is_positional => return Ok(()),
+            Keep::Positions => "states=\"all\"",
+            Keep::Nothing => "states=\"all\" or \"positions\"",
+        };
+        Err(PyValueError::new_err(missing_states(what, wanted)))
+    }
+
+    /// Calls `see` with the states of the given numbers until it returns false.
+    pub(crate) fn each(&self, frames: &[usize], see: impl FnMut(&State) -> bool) {
+        self.frames.each(frames, self.simulation.assembly().rest(), see);
+    }
+}
+
 /// Arguments of the function `states`: model, text, kept part, times and load factors, all numbers.
 type Pickled<'py> =
     (Py<PyAny>, Option<&'py str>, &'static str, Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>);
@@ -103,44 +136,30 @@ type Pickled<'py> =
 #[pymethods]
 impl States {
     /// Computes a field at the stations along all bodies in all or some frames: [frame, station, number].
-    #[pyo3(signature = (name, parts, frames=None))]
+    ///
+    /// Strains and stresses are those at an offset (y, z) of the section.
+    #[pyo3(signature = (name, parts, frames=None, offset=[0.0, 0.0]))]
     fn field<'py>(
         &self,
         py: Python<'py>,
         name: &str,
         parts: i64,
         frames: Option<Vec<usize>>,
+        offset: [f64; 2],
     ) -> PyResult<Bound<'py, PyArray3<f64>>> {
-        let count = self.frames.len();
-        let frames = frames.unwrap_or_else(|| (0..count).collect());
-        if let Some(frame) = frames.iter().find(|frame| **frame >= count) {
-            return Err(PyIndexError::new_err(format!("state {frame} of {count}")));
-        }
-        let Some((_, field)) = Field::ALL.into_iter().find(|(own, _)| *own == name) else {
-            let names: Vec<_> = Field::ALL.iter().map(|(name, _)| format!("{name:?}")).collect();
-            let (found, wanted) = (name, names.join(", "));
-            return Err(PyValueError::new_err(format!("field: found {found:?}, wanted one of {wanted}")));
-        };
-        let is_positional = matches!(field, Field::Position | Field::Displacement | Field::Directors);
-        let wanted = match self.frames.keep {
-            Keep::All => None,
-            Keep::Positions if is_positional => None,
-            Keep::Positions => Some("states=\"all\""),
-            Keep::Nothing => Some("states=\"all\" or \"positions\""),
-        };
-        if let Some(wanted) = wanted {
-            return Err(PyValueError::new_err(missing_states(&format!("field {name:?}"), wanted)));
-        }
-        let parts = checked(parts)?;
+        let frames = self.checked_frames(frames)?;
+        let quantity = StationQuantity::from_name(name, offset)?;
+        self.require(&format!("field {name:?}"), quantity.is_positional())?;
+        let parts = checked_parts(parts)?;
         let signals = Signals::default();
         let (numbers, stations) = py.detach(|| {
             let fields = Fields::new(self.simulation.assembly(), self.simulation.scales(), parts);
             let stations = fields.stations().len();
             let mut numbers = Vec::new();
-            let count = frames.len().saturating_mul(stations).saturating_mul(field.width());
+            let count = frames.len().saturating_mul(stations).saturating_mul(quantity.width());
             numbers.try_reserve_exact(count).map_err(|_| PyMemoryError::new_err(FIELD_MEMORY))?;
-            self.frames.each(&frames, self.simulation.assembly().rest(), |s| {
-                fields.fill(field, s, &mut numbers);
+            self.each(&frames, |s| {
+                quantity.fill(&self.simulation, &fields, s, &mut numbers);
                 !signals.are_set()
             });
             Ok::<_, PyErr>((numbers, stations))
@@ -148,12 +167,12 @@ impl States {
         if let Some(error) = signals.take() {
             return Err(error);
         }
-        PyArray1::from_vec(py, numbers).reshape([frames.len(), stations, field.width()])
+        PyArray1::from_vec(py, numbers).reshape([frames.len(), stations, quantity.width()])
     }
 
     /// Returns the names of the bodies, and body number and arc length of each station.
     fn stations(&self, parts: i64) -> PyResult<(Vec<String>, Vec<usize>, Vec<f64>)> {
-        let parts = checked(parts)?;
+        let parts = checked_parts(parts)?;
         let assembly = self.simulation.assembly();
         let names = assembly.bodies().map(|(name, _)| name.to_owned()).collect();
         let fields = Fields::new(assembly, self.simulation.scales(), parts);
@@ -167,6 +186,11 @@ impl States {
         let Frames { keep, at, numbers } = &self.frames;
         let (at, numbers) = (PyArray1::from_slice(py, at.as_flattened()), PyArray1::from_slice(py, numbers));
         Ok((make, (self.model.clone_ref(py), self.text.as_deref(), keep.word(), at, numbers)))
+    }
+
+    /// Number of states and of the kept parts.
+    fn __repr__(&self) -> String {
+        format!("States({}, {})", self.frames.len(), self.frames.keep.word())
     }
 
     /// Number of states.

@@ -10,7 +10,7 @@ import pytest
 import ancf
 from ancf import _ancf
 from ancf.graphics.lines import Lines
-from ancf.graphics.scene import Scene
+from ancf.graphics.space.scene import Scene
 
 SECTIONS = [
     ({"kind": "circle", "diameter": 0.2}, [0.1, 0.1]),

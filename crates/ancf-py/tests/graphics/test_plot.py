@@ -64,6 +64,17 @@ def test_energies_sum_up_and_the_pendulum_keeps_them() -> None:
     assert np.ptp(drawn["total"]) < 1e-3 * np.ptp(drawn["kinetic"])
 
 
+def test_angles_have_radians() -> None:
+    run = result("slider_crank")
+    assert run.plot("motor.angle").get_ylabel() == "motor.angle, rad"
+    assert run.plot("motor.rate").get_ylabel() == "motor.rate, rad/s"
+    assert run.plot("kinetic").get_ylabel() == "kinetic, J"
+    assert run.plot("motor.mz").get_ylabel() == "motor.mz, N m"
+    model = ancf.Model.read(MODELS / "slider_crank.toml")
+    model.units = None
+    assert ancf.run(model).plot("motor.angle").get_ylabel() == "motor.angle"
+
+
 def test_a_curve_over_another_column_is_the_circle_of_a_pendulum() -> None:
     (line,) = result("revolute_pendulum").plot("tip.y", x="tip.x").get_lines()
     radius = np.hypot(line.get_xdata(), line.get_ydata())
@@ -113,8 +124,17 @@ def test_settings_of_matplotlib_stay_as_they_are() -> None:
 def test_the_overview_shows_probes_and_energies() -> None:
     run = result("slider_crank")
     axes = run.plot()
-    moved = [f"{name} moved by, m" for name in ("pin", "middle", "block")]
-    assert [ax.get_ylabel() for ax in axes] == [*moved, "energy, N m"]
+    moved = [f"displacement of {name}, m" for name in ("pin", "middle", "block along x")]
+    assert [ax.get_ylabel() for ax in axes] == [*moved, "energy, J"]
+    # Curves that are zero are omitted: no z in a planar motion, no gravity, no damping.
+    assert [line.get_label() for line in axes[0].get_lines()] == ["pin.x", "pin.y"]
+    assert [line.get_label() for line in axes[3].get_lines()] == [
+        "kinetic",
+        "strain",
+        "work",
+        "balance",
+        "total",
+    ]
     np.testing.assert_array_equal(axes[0].get_lines()[1].get_ydata(), run["pin.y"] - run["pin.y"][0])
 
 
@@ -162,6 +182,21 @@ def test_arms_of_rigid_bodies_reach_their_joints() -> None:
         )
 
 
+def test_joints_and_supports_are_at_their_positions() -> None:
+    run = result("robot_arm")
+    ax = run.plot_shape(time=[0.5, 1.0])
+    drawn = {line.get_marker(): line for line in ax.get_lines() if line.get_label() == "_joints"}
+    assert set(drawn) == {"o", 6}
+    np.testing.assert_allclose(np.stack(drawn[6].get_data(), axis=1), [[0, 0]], atol=1e-6)
+    row = int(np.abs(run.time - 1.0).argmin())
+    elbow = run.field("position", "upper", rows=row)[-1, :2]
+    np.testing.assert_allclose(np.stack(drawn["o"].get_data(), axis=1)[0], elbow, atol=1e-6)
+    clamped = result("cantilever").plot_shape()
+    assert [line.get_marker() for line in clamped.get_lines() if line.get_label() == "_joints"] == ["s"]
+    without = run.plot_shape(joints=False)
+    assert not [line for line in without.get_lines() if line.get_label() == "_joints"]
+
+
 def test_colours_are_those_of_the_section_forces() -> None:
     run = result("cantilever")
     ax = run.plot_shape(400, color="Mz", parts=2)
@@ -172,7 +207,7 @@ def test_colours_are_those_of_the_section_forces() -> None:
     assert int(np.abs(bands.get_array()).argmax()) == 0
     assert bands.get_clim()[0] == pytest.approx(moments.min())
     assert len(ax.figure.axes) == 2
-    assert ax.figure.axes[1].get_ylabel() == "Mz, N m"
+    assert ax.figure.axes[1].get_ylabel() == "bending moment Mz, N m"
 
 
 def test_colour_limits_are_symmetric_for_both_signs() -> None:

@@ -12,8 +12,8 @@ from PIL import Image
 
 import ancf
 from ancf import _ancf
-from ancf.graphics import stage
-from ancf.graphics.scene import Scene
+from ancf.graphics.space import stage
+from ancf.graphics.space.scene import Scene
 
 MODELS = Path(__file__).parents[4] / "models"
 

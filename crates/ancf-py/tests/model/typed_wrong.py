@@ -17,7 +17,7 @@ ancf.Clamp("root", a=beam)  # wrong
 ancf.Clamp("root", a=beam.start, fix="some")  # wrong
 ancf.Clamp("root", a=beam.start, b="wall")  # wrong
 ancf.Force(on=beam.end, force=(0, 0, -1), time="ramp")  # wrong
-ancf.Dynamics(duration=1.0, step=1e-3, scheme=ancf.EnergyStop())  # wrong
+ancf.Dynamics(duration=1.0, step=1e-3, scheme=ancf.EnergyCriterion())  # wrong
 ancf.Model(bodies=[steel], analysis=ancf.Modes())  # wrong
 beam.elemnts = 40  # wrong
 beam.at((0, 0, 0))  # wrong

@@ -104,7 +104,7 @@ def test_states_between_rows_keep_their_times(program: Path, rod: dict[str, Any]
 
 def test_plots_use_the_times_of_the_states(program: Path, rod: dict[str, Any], tmp_path: Path) -> None:
     loaded = ancf.load(folder_of(program, rod | {"output": {"states": 11}}, tmp_path))
-    ax = loaded.plot_shape(time=0.15, reference=False)
+    ax = loaded.plot_shape(time=0.15, reference=False, joints=False)
     frame = int(np.abs(loaded.frames - 0.15).argmin())
     assert ax.get_title() == f"t = {loaded.frames[frame]:.4g}"
     tip = np.array(ax.get_lines()[-1].get_xydata())[-1]

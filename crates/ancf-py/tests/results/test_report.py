@@ -141,12 +141,12 @@ def test_axes_have_the_units_of_the_model(named: dict[str, Any]) -> None:
     assert (ax.get_xlabel(), ax.get_ylabel()) == ("time, s", "velocity, m/s")
     ax = result.plot("tip.y", x="tip.x")
     assert (ax.get_xlabel(), ax.get_ylabel()) == ("tip.x, m", "tip.y, m")
-    assert result.plot("energy").get_ylabel() == "energy, N m"
+    assert result.plot("energy").get_ylabel() == "energy, J"
     assert result.plot("tip.e1").get_ylabel() == "tip.e1"
     ax = result.plot_shape(color="Mz", plane="xy")
     assert (ax.get_xlabel(), ax.get_ylabel()) == ("x, m", "y, m")
     assert ax.get_title() == "t = 0.3 s"
-    assert [axes.get_ylabel() for axes in ax.figure.axes[1:]] == ["Mz, N m"]
+    assert [axes.get_ylabel() for axes in ax.figure.axes[1:]] == ["bending moment Mz, N m"]
     plt.close("all")
 
 
@@ -170,6 +170,6 @@ def test_shapes_have_no_unit(models: Path) -> None:
     modes = ancf.run(ancf.Model.read(models / "tuning_fork.toml").to_dict() | {"units": UNITS})
     assert modes.units["frequency"] == "1/s"
     assert "left tip.x" not in modes.units
-    assert modes.plot_shape(6, color="displacement").figure.axes[1].get_ylabel() == "displacement"
+    assert modes.plot_shape(6, color="displacement").figure.axes[1].get_ylabel() == "relative displacement"
     assert modes.to_xarray(fields=["position"])["position"].attrs == {}
     plt.close("all")

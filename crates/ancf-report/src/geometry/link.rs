@@ -2,13 +2,15 @@ use ancf::joints::JointSymbol;
 use ancf::mechanics::kinematics::{Attachment, BodyVector};
 use ancf::model::Place;
 use ancf::solver::equations::State;
+use ancf::{Model, Simulation};
 use nalgebra::Vector3;
 
 use super::arms::{arm_to, places};
 use super::attachments::Attachments;
 
 /// Line between two attached points: a massless joint, or the arm of a rigid body.
-pub(crate) struct Link {
+#[derive(Clone, Debug)]
+pub struct Link {
     /// Name of the joint; of an arm, name of the rigid body.
     pub name: String,
     /// Kind in the scene, such as `"spring"`; arms have the kind `"arm"`.
@@ -18,7 +20,7 @@ pub(crate) struct Link {
 }
 
 /// Kind of the line from the centre of a rigid body to the end of a joint.
-const ARM: &str = "arm";
+pub const ARM: &str = "arm";
 
 impl Link {
     fn new(name: &str, kind: &'static str, ends: [Attachment; 2], length: f64) -> Self {
@@ -29,6 +31,11 @@ impl Link {
     pub fn ends(&self, s: &State) -> [Vector3<f64>; 2] {
         self.ends.each_ref().map(|end| end.value(s) * self.length)
     }
+}
+
+/// Returns the links of a model that is stated in the user's units.
+pub fn model_links(model: &Model, simulation: &Simulation) -> Vec<Link> {
+    links(Attachments::new(&model.scaled(&simulation.scales()), simulation))
 }
 
 /// Returns the links of a model: springs, dampers, ropes, rods, bushings, and the arms of rigid bodies.

@@ -38,34 +38,66 @@ pub(crate) fn listed(words: impl IntoIterator<Item = String>, last: &str) -> Str
 }
 
 /// Words of other programs, and the words for the same thing in models.
-const SYNONYMS: [(&str, &str); 21] = [
+const SYNONYMS: [(&str, &str); 51] = [
+    ("b", "width"),
     ("ball", "spherical"),
+    ("c", "damping"),
+    ("com", "center"),
+    ("d", "diameter"),
     ("dt", "step"),
     ("e", "young"),
+    ("e_modulus", "young"),
     ("eigen", "modes"),
     ("elastic_modulus", "young"),
+    ("elasticity", "young"),
+    ("end", "to"),
     ("fixed", "clamp"),
     ("frequencies", "modes"),
+    ("g", "gravity"),
+    ("h", "height"),
     ("hinge", "revolute"),
+    ("k", "stiffness"),
+    ("l", "length"),
+    ("l", "to"),
+    ("length", "to"),
+    ("m", "mass"),
     ("modal", "modes"),
+    ("modulus", "young"),
+    ("mu", "friction"),
+    ("n", "elements"),
     ("n_elements", "elements"),
+    ("nel", "elements"),
     ("nu", "poisson"),
+    ("omega", "spin"),
+    ("p1", "from"),
+    ("p2", "to"),
     ("pin", "revolute"),
+    ("poisson_ratio", "poisson"),
+    ("poissons_ratio", "poisson"),
+    ("pos", "center"),
+    ("position", "center"),
+    ("r", "diameter"),
+    ("r", "radius"),
     ("radius", "diameter"),
     ("rho", "density"),
     ("slider", "prismatic"),
+    ("start", "from"),
+    ("t", "time"),
     ("t_end", "duration"),
     ("time_step", "step"),
-    ("translational", "prismatic"),
     ("transient", "dynamics"),
+    ("translational", "prismatic"),
+    ("w", "width"),
     ("weld", "clamp"),
     ("youngs_modulus", "young"),
 ];
 
 /// Candidate with the meaning of a word of other programs.
 fn synonym<'a>(word: &str, candidates: &[&'a str]) -> Option<&'a str> {
-    let (_, meant) = SYNONYMS.iter().find(|(other, _)| other.eq_ignore_ascii_case(word))?;
-    candidates.iter().copied().find(|candidate| candidate == meant)
+    let meanings = SYNONYMS.iter().filter(|(other, _)| other.eq_ignore_ascii_case(word));
+    meanings
+        .into_iter()
+        .find_map(|(_, meant)| candidates.iter().copied().find(|candidate| candidate == meant))
 }
 
 /// Candidate that a word means: one with the same meaning in other programs, or the nearest one to a misspelt word, if at most a
@@ -97,5 +129,7 @@ mod tests {
         }
         assert_eq!(nearest("nu", ["young", "poisson"]), Some("poisson"));
         assert_eq!(nearest("radius", ["height"]), None);
+        assert_eq!(nearest("L", ["from", "to", "elements"]), Some("to"));
+        assert_eq!(nearest("L", ["length", "to"]), Some("length"));
     }
 }

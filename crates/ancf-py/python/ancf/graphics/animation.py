@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ancf.display.numbers import with_unit
 from ancf.graphics.artists import (
     arm_coordinates,
     body_colours,
@@ -25,7 +26,7 @@ from ancf.graphics.frames import (
     require_int,
 )
 from ancf.graphics.lines import Lines
-from ancf.graphics.style import style, with_unit
+from ancf.graphics.style import style
 from ancf.graphics.view import Canvas, View
 from ancf.record.result_data import ResultData
 

@@ -6,12 +6,17 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ancf.graphics.style import ARM_GREY, COLOURS, GREY, colour_map
+from ancf.graphics.style import ARM_GREY, COLOURS, GREY, SUPPORT_GREY, colour_map
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping, Sequence
+
     from ancf.graphics.lines import Lines
     from ancf.graphics.view import Canvas, View
     from ancf.record.columns import Array
+
+TRIANGLE_BELOW = 6
+"""Marker of matplotlib: a triangle whose upper corner is the point."""
 
 
 def body_colours(lines: Lines, color: str | None) -> list[str]:
@@ -63,10 +68,13 @@ def draw_values(
     lines: Lines,
     positions: Array,
     values: Array,
-    limits: tuple[float, float],
+    colours: tuple[str, tuple[float, float]],
     look: dict[str, Any],
 ) -> Canvas:
-    """Draw the lines of all bodies in the colours of values. A segment has the mean value of its ends."""
+    """Draw the lines of all bodies in the colours of values, by a colour map and its limits.
+
+    A segment has the mean value of its ends.
+    """
     seen = view.coordinates(positions)
     for stations in lines.bodies.values():
         if stations.stop - stations.start == 1:
@@ -74,8 +82,8 @@ def draw_values(
     firsts = lines.segments
     keys = {
         "array": (values[firsts] + values[firsts + 1]) / 2,
-        "cmap": colour_map(*limits),
-        "clim": limits,
+        "cmap": colour_map(colours[0]),
+        "clim": colours[1],
         "linewidths": look.get("linewidth", 3.0),
         "capstyle": "round",
         **alpha(look),
@@ -91,6 +99,30 @@ def _collection(ax: Canvas, view: View, segments: Array, keys: dict[str, Any]) -
     if view.spatial:
         return ax.add_collection3d(Line3DCollection(segments, **keys))
     return ax.add_collection(LineCollection(list(segments), **keys))
+
+
+def draw_joints(
+    ax: Canvas, view: View, lines: Lines, joints: Sequence[Any], row: int, scale: float | None
+) -> None:
+    """Draw joints as circles, joints on the ground as triangles, and clamps on the ground as squares."""
+    positions = lines.symbols(row, scale)["joint"]
+    groups: dict[Any, list[Array]] = {}
+    for joint in joints:
+        if joint["name"] in positions:
+            groups.setdefault(joint_marker(joint), []).append(positions[joint["name"]])
+    for marker, points in groups.items():
+        fill = "white" if marker == "o" else SUPPORT_GREY
+        keys = {"linestyle": "none", "marker": marker, "markersize": 5 if marker == "o" else 8, "zorder": 4}
+        colours = {"markerfacecolor": fill, "markeredgecolor": "#303030", "markeredgewidth": 0.8}
+        ax.plot(*view.coordinates(np.array(points)).T, **keys, **colours, label="_joints")
+
+
+def joint_marker(joint: Mapping[str, Any]) -> str | int:
+    """Return the marker of a joint: a circle, or on the ground a square for a clamp and else a triangle below."""
+    other = joint.get("b", "ground")
+    if other != "ground":
+        return "o"
+    return "s" if joint["kind"] in {"clamp", "drive"} else TRIANGLE_BELOW
 
 
 def alpha(look: dict[str, Any]) -> dict[str, Any]:

@@ -4,9 +4,12 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Literal, TypeAlias, overload
 
+import numpy as np
+
+from ancf.display.numbers import with_unit
 from ancf.graphics.shapes import Grid, ShapePlots
-from ancf.graphics.style import grid, style, with_unit
-from ancf.record.columns import JOINT_COORDINATES, VECTORS, Array
+from ancf.graphics.style import grid, style
+from ancf.record.columns import ENERGIES, JOINT_COORDINATES, VECTORS, Array, shown_unit
 from ancf.record.suggestion import unknown_name
 from ancf.record.views import Probe
 
@@ -23,13 +26,14 @@ Curves: TypeAlias = "Mapping[str, Array]"
 QUANTITIES = {column: name.replace("_", " ") for name, columns in VECTORS.items() for column in columns}
 """Quantities of the columns of vectors, by suffix."""
 
-ENERGIES = ("kinetic", "strain", "potential", "work", "dissipated", "balance")
-
 KINEMATIC = {"position", "angle", "displacement", "length"}
 """Quantities that are plotted on the horizontal axis, with the load factor on the vertical axis."""
 
 MAX_MARKED_ROWS = 60
 """Maximum number of rows with a marker each, if the analysis chooses the rows."""
+
+ROUNDING = 1e-9
+"""Curves below this fraction of the largest value are zero."""
 
 MAX_INNER_LEGEND = 4
 """Maximum number of curves with the legend inside the axes."""
@@ -202,7 +206,7 @@ def _common_quantity(labels: list[str]) -> str:
 def _common_unit(result: ResultData, labels: Iterable[str]) -> str | None:
     """Return the common unit of columns, if any."""
     # The total energy is not a column.
-    found = {result.units.get("strain" if label == "total" else label) for label in labels}
+    found = {shown_unit(label, result.units.get("strain" if label == "total" else label)) for label in labels}
     return found.pop() if len(found) == 1 else None
 
 
@@ -236,7 +240,7 @@ def columns(result: ResultData, name: str) -> dict[str, Array]:
 
 
 def _energies(result: ResultData, name: str) -> dict[str, Array]:
-    """Return all energies, or the total energy. Kinetic energy is omitted in statics."""
+    """Return all energies that are not zero, or the total energy. Kinetic energy is omitted in statics."""
     if "strain" not in result:
         msg = f"{name}: found a result of {result.kind} without energies, wanted one that has them"
         raise ValueError(msg)
@@ -245,7 +249,14 @@ def _energies(result: ResultData, name: str) -> dict[str, Array]:
         return total
     omitted = {"kinetic"} if result.kind in {"statics", "path"} else set()
     own = {column: result[column] for column in ENERGIES if column in result and column not in omitted}
-    return {**own, **total}
+    return {**_not_zero(own), **total}
+
+
+def _not_zero(curves: Mapping[str, Array]) -> dict[str, Array]:
+    """Return the curves that are not zero up to rounding errors, or all if there are no others."""
+    sizes = {label: np.nanmax(np.abs(column), initial=0.0) for label, column in curves.items()}
+    least = ROUNDING * max(sizes.values(), default=0.0)
+    return {label: column for label, column in curves.items() if sizes[label] > least} or dict(curves)
 
 
 def _overview(result: ResultData) -> Grid:
@@ -262,6 +273,9 @@ def _overview(result: ResultData) -> Grid:
         ax.remove()
     for ax, name in zip(axes.flat, moved, strict=False):
         path = {f"{name}.{axis}": result[f"{name}.{axis}"] for axis in "xyz"}
-        _draw(result, {label: x - x[0] for label, x in path.items()}, None, ax, {}, f"{name} moved by")
+        displacements = _not_zero({label: x - x[0] for label, x in path.items()})
+        # Without a legend, the label has the only component.
+        along = f" along {next(iter(displacements))[-1]}" if len(displacements) == 1 else ""
+        _draw(result, displacements, None, ax, {}, f"displacement of {name}{along}")
     _draw(result, columns(result, "energy"), None, axes.flat[count - 1], {})
     return axes.ravel()[:count]

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ancf.graphics.style import format_number, with_unit
+from ancf.display.numbers import format_number, with_unit
 
 if TYPE_CHECKING:
     from ancf.record.result_data import ResultData

@@ -7,19 +7,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ancf import _ancf
-from ancf.record.columns import VECTORS, Array
-from ancf.record.suggestion import unknown_name
+from ancf.record.columns import Array
 
 if TYPE_CHECKING:
     from ancf.record.result_data import ResultData
 
 MODE_AMPLITUDE = 0.15
 """Maximum drawn amplitude of a mode shape, relative to the size of the model."""
-
-AXES = {"x": 0, "y": 1, "z": 2}
-
-COLOUR_VECTORS = ("displacement", "velocity", "acceleration")
-"""Vectors by which lines can be coloured."""
 
 
 class Lines:
@@ -43,6 +37,8 @@ class Lines:
         self.modal = result.is_modal
         """True if the frames are shapes."""
         self.shapes: Array | None = result.shape_at(parts=parts) if self.modal else None
+        self.geometry = _ancf.ModelGeometry(result.states)
+        """Positions of joints and arms."""
         self.arms = Arms.of(result, self, parts)
         """Arms of the rigid bodies."""
 
@@ -70,29 +66,18 @@ class Lines:
         )
         return deflected
 
+    def symbols(self, row: int, scale: float | None = None) -> dict[str, dict[str, Array]]:
+        """Return the positions of joints, probes and loads in a frame, by kind and name."""
+        scale = self.scale(row) if scale is None else scale
+        names, kinds, positions = self.geometry.symbols(row, scale, self.modal)
+        found: dict[str, dict[str, Array]] = {"joint": {}, "probe": {}, "load": {}}
+        for name, kind, position in zip(names, kinds, positions, strict=True):
+            found[kind][name] = position
+        return found
+
     def points(self, row: int, positions: Array) -> Array:
         """Return all points of the lines and arms of bodies at `positions`, `[point, 3]`."""
         return np.concatenate([positions, self.arms.tips(row, positions)])
-
-    def values(self, result: ResultData, name: str, parts: int = 8) -> Array:
-        """Compute a number for each frame and station, `[frame, station]`, by the name of a quantity.
-
-        Quantities are the section forces `N`, `Qy`, `Qz`, `T`, `My`, `Mz`, the magnitudes of `displacement`,
-        `velocity`, `acceleration`, and their components such as `displacement.y`. The `displacement` of a mode is
-        its shape.
-        """
-        vector, _, component = name.partition(".")
-        forces = VECTORS["section_forces"]
-        if name in forces:
-            return result.field("section_forces", parts=parts)[..., forces.index(name)]
-        if vector not in COLOUR_VECTORS or (component and component not in AXES):
-            raise KeyError(unknown_name("quantity", name, [*forces, *COLOUR_VECTORS]))
-        if vector == "displacement" and self.shapes is not None:
-            numbers = self.shapes
-        else:
-            numbers = result.field(vector, parts=parts)
-        length: Array = np.linalg.norm(numbers, axis=-1)
-        return numbers[..., AXES[component]] if component else length
 
 
 class Arms:
@@ -112,9 +97,8 @@ class Arms:
         rigid = [] if lines.modal else [b["name"] for b in result.model["bodies"] if b["kind"] == "rigid"]
         if not rigid:
             return cls([], np.empty((0, 3)), np.empty((len(result.frames), 0, 3, 3)))
-        geometry = _ancf.ModelGeometry(result.states)
         # Joints at the same point share an arm.
-        offsets = {body: np.unique(geometry.arms(body), axis=0) for body in rigid}
+        offsets = {body: np.unique(lines.geometry.arms(body), axis=0) for body in rigid}
         stations = [lines.bodies[body].start for body, own in offsets.items() for _ in own]
         directors = result.field("directors", parts=parts)[:, stations]
         return cls(stations, np.concatenate(list(offsets.values())), directors)

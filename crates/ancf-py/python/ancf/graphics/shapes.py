@@ -9,6 +9,7 @@ import numpy as np
 from ancf.graphics.artists import (
     body_colours,
     draw_arms,
+    draw_joints,
     draw_legend,
     draw_lines,
     draw_reference,
@@ -16,9 +17,9 @@ from ancf.graphics.artists import (
 )
 from ancf.graphics.frames import elastic_modes, frame_label, frame_numbers, require_int
 from ancf.graphics.lines import Lines
-from ancf.graphics.style import COLOURS, colour_limits, style, with_unit
+from ancf.graphics.quantities import Quantity, quantity
+from ancf.graphics.style import COLOURS, style
 from ancf.graphics.view import View
-from ancf.record.columns import Array
 from ancf.record.result_data import ResultData
 
 if TYPE_CHECKING:
@@ -42,6 +43,7 @@ class ShapePlots(ResultData):
         color: str | None = None,
         scale: float | None = None,
         reference: bool = True,
+        joints: bool = True,
         parts: int = 8,
         ax: Axes | None = None,
         **line: object,
@@ -58,12 +60,15 @@ class ShapePlots(ResultData):
         plane
             Two letters such as `xz`, the first to the right, or `3d`; by default the plane of the model.
         color
-            A colour, or the quantity to colour by: `N`, `Qy`, `Qz`, `T`, `My`, `Mz`, `displacement`, `velocity`,
+            A colour, or the quantity to colour by: `stress`, `axial_stress`, `shear_stress`, `bending_moment` and the
+            other fields of the report, see `field`; components such as `Mz`, `exx`, `sxx`; `displacement`, `velocity`,
             `acceleration`, or components such as `displacement.y`.
         scale
             Factor of deflections; by default 1, for modes chosen automatically.
         reference
             True to plot the reference configuration in grey.
+        joints
+            True to plot joints and supports in the last of the rows.
         parts
             Number of segments per element.
         ax
@@ -78,7 +83,7 @@ class ShapePlots(ResultData):
         points = [lines.points(row, own) for row, own in zip(wanted, positions, strict=True)]
         extent = np.concatenate([*points, lines.reference] if reference else points)
         view = View.of(plane, extent, ax)
-        values = _values(self, lines, color, parts)
+        found = _quantity(self, lines, color, parts)
         with style():
             is_own_figure = ax is None
             ax = view.axes(ax, self.field_units.get("position"))
@@ -88,16 +93,19 @@ class ShapePlots(ResultData):
             for row, own, opacity in zip(wanted, positions, opacities, strict=True):
                 look = {"alpha": opacity} | line
                 draw_arms(ax, view, lines, row, own, look)
-                if values is None:
+                if found is None:
                     draw_lines(ax, view, lines, own, body_colours(lines, color), look)
-                else:
-                    bands = draw_values(
-                        ax, view, lines, own, values[row], colour_limits(values[wanted]), look
-                    )
+                    continue
+                limits = found.limits(found.values[wanted])
+                factor, label = found.scaled(limits)
+                colours = (found.colour_map, (factor * limits[0], factor * limits[1]))
+                bands = draw_values(ax, view, lines, own, factor * found.values[row], colours, look)
+            if joints:
+                draw_joints(ax, view, lines, self.model.get("joints", []), wanted[-1], scale)
             view.fit(ax, extent)
-            if values is not None:
+            if found is not None:
                 pad = 0.1 if view.spatial else 0.03
-                ax.figure.colorbar(bands, ax=ax, label=quantity_label(self, color), shrink=0.8, pad=pad)
+                ax.figure.colorbar(bands, ax=ax, label=label, shrink=0.8, pad=pad)
             elif color is None:
                 draw_legend(ax, lines, beside=is_own_figure)
             labels = dict.fromkeys(frame_label(self, row) for row in (wanted[0], wanted[-1]))
@@ -161,14 +169,8 @@ class ShapePlots(ResultData):
         return axes.ravel()[: len(wanted)]
 
 
-def quantity_label(result: ResultData, color: str | None) -> str:
-    """Return the quantity to colour by with its unit. Shapes of modes have no unit."""
-    unit = None if result.is_modal else str(color).partition(".")[0]
-    return with_unit(str(color), result.field_units.get(unit or ""))
-
-
-def _values(result: ResultData, lines: Lines, color: str | None, parts: int) -> Array | None:
-    """Return the values to colour by, `[frame, station]`, or None if `color` is a colour."""
+def _quantity(result: ResultData, lines: Lines, color: str | None, parts: int) -> Quantity | None:
+    """Return the quantity to colour by, or None if `color` is a colour."""
     from matplotlib.colors import is_color_like
 
     if color is None or is_color_like(color):
@@ -176,4 +178,4 @@ def _values(result: ResultData, lines: Lines, color: str | None, parts: int) -> 
     if not len(lines.segments):
         msg = f"color: found {color!r}, wanted a colour, since there is no beam or cable"
         raise ValueError(msg)
-    return lines.values(result, color, parts)
+    return quantity(result, color, parts)

@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+import json
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
+from ancf import _ancf
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from matplotlib.axes import Axes
+    from matplotlib.colors import LinearSegmentedColormap
 
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#444444")
 """Colours that remain distinct in colour blindness, after Okabe & Ito (2008)."""
@@ -18,8 +20,14 @@ COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#4
 GREY = "#b8b8b8"
 """Colour of the reference configuration."""
 
+SUPPORT_GREY = "#8a8a8a"
+"""Colour of supports on the ground."""
+
 ARM_GREY = "#888888"
 """Colour of the arms of rigid bodies, and of rigid bodies beside bodies coloured by values."""
+
+COLOUR_MAPS: dict[str, Any] = json.loads(_ancf.COLOUR_MAPS)
+"""Colour maps of quantities, as in reports: names of the sequential and the diverging map, and colours by name."""
 
 
 @contextmanager
@@ -54,32 +62,9 @@ def grid(ax: Axes) -> None:
     ax.grid(visible=True, linewidth=0.4, color="#d5d5d5")
 
 
-def colour_map(least: float, greatest: float) -> str:
-    """Return the name of the colour map: diverging for limits symmetric about zero."""
-    return "coolwarm" if least == -greatest else "viridis"
+def colour_map(name: str) -> LinearSegmentedColormap:
+    """Return one of the colour maps of reports."""
+    from matplotlib.colors import LinearSegmentedColormap
 
-
-def colour_limits(values: np.typing.NDArray[np.float64]) -> tuple[float, float]:
-    """Return the limits of the colour scale. Values of both signs give limits symmetric about zero."""
-    known = values[np.isfinite(values)]
-    least, greatest = (float(known.min()), float(known.max())) if known.size else (0.0, 0.0)
-    far = max(abs(least), abs(greatest))
-    if far == 0:
-        return 0.0, 1.0
-    # Limits within a thousandth of zero are zero up to numerical errors.
-    least, greatest = (0.0 if abs(end) < 1e-3 * far else end for end in (least, greatest))
-    return (-far, far) if least < 0 < greatest else (least, greatest)
-
-
-def with_unit(text: str, unit: str | None, separator: str = ", ") -> str:
-    """Append a unit to a text, unless it is missing or that of pure numbers."""
-    if unit in {None, "", "1"}:
-        return text
-    return f"{text}{separator}{unit}" if text else str(unit)
-
-
-def format_number(number: float) -> str:
-    """Format a number in four digits, without exponent if it is of moderate size."""
-    if number == 0 or 1e-4 <= abs(number) < 1e7:
-        return np.format_float_positional(float(f"{number:.4g}"), trim="-")
-    return f"{number:.3e}"
+    colours = COLOUR_MAPS["maps"][name].split()
+    return LinearSegmentedColormap.from_list(name, [f"#{colour}" for colour in colours])

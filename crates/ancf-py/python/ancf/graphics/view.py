@@ -6,8 +6,9 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from ancf.graphics.lines import AXES
-from ancf.graphics.style import grid, with_unit
+from ancf.display.numbers import with_unit
+from ancf.graphics.quantities import AXES
+from ancf.graphics.style import grid
 from ancf.record.columns import Array
 
 FLATNESS = 0.02

@@ -5,35 +5,37 @@
 from dataclasses import dataclass
 from typing import ClassVar, Literal, TypeAlias
 
+from ancf.model.base.arguments import checked_arguments
 from ancf.model.base.part import Part
 
 __all__ = [
     "HHT",
-    "About",
     "AdaptiveStep",
     "Analysis",
     "Buckling",
+    "ConvergenceCriterion",
     "Dynamics",
+    "EnergyCriterion",
     "EnergyDamping",
     "EnergyGuard",
-    "EnergyStop",
+    "EquilibriumPath",
     "GeneralizedAlpha",
-    "IncrementStop",
+    "IncrementCriterion",
+    "InitialAccelerations",
+    "InstabilityAction",
+    "LinearizationState",
+    "LoadDirection",
     "Modes",
     "Newmark",
     "NewtonMethod",
-    "Path",
-    "ResidualStop",
+    "ResidualCriterion",
     "Scheme",
-    "Sense",
-    "Start",
     "Statics",
     "StepSize",
-    "Stop",
-    "Unstable",
 ]
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class EnergyGuard(Part):
     """Limits of the error of the energy balance in dynamics.
@@ -67,6 +69,7 @@ NewtonMethod: TypeAlias = Literal["modified", "full"]
 """
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Newmark(Part):
     """Newmark with given parameters.
@@ -86,6 +89,7 @@ class Newmark(Part):
     beta: float
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class GeneralizedAlpha(Part):
     """Generalized-α: second order, also in reactions. Damps frequencies that the step does not resolve.
@@ -103,6 +107,7 @@ class GeneralizedAlpha(Part):
     spectral_radius: float
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class HHT(Part):
     """Scheme of Hilber, Hughes and Taylor: second order, also in reactions. Damps high frequencies.
@@ -119,6 +124,7 @@ class HHT(Part):
     alpha: float
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class EnergyDamping(Part):
     """Energy-momentum scheme with numerical damping of the strains of beams, cables and springs.
@@ -158,7 +164,7 @@ Source: Kim et al. (2017), table of the appendix; Hilber, Hughes & Taylor (1977)
   size. No numerical damping.
 """
 
-Start: TypeAlias = Literal["consistent", "zero"]
+InitialAccelerations: TypeAlias = Literal["consistent", "zero"]
 """Accelerations and multipliers at the start.
 
 * ``"consistent"``: Initial values that satisfy the equations of motion.
@@ -166,6 +172,7 @@ Start: TypeAlias = Literal["consistent", "zero"]
 """
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class AdaptiveStep(Part):
     """Step size by error control; requires a scheme of second order.
@@ -193,8 +200,9 @@ StepSize: TypeAlias = float | AdaptiveStep
 """Fixed or adaptive step size."""
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
-class EnergyStop(Part):
+class EnergyCriterion(Part):
     """Energy criterion, independent of units.
 
     The energy |Δz·r| of the increment is at most tolerance² times the largest energy of the run, or the
@@ -214,8 +222,9 @@ class EnergyStop(Part):
     tolerance: float | None = None
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
-class ResidualStop(Part):
+class ResidualCriterion(Part):
     """Residual |r|₂ below an absolute number *in the units of the solver*.
 
     Attributes
@@ -232,8 +241,9 @@ class ResidualStop(Part):
     tolerance: float
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
-class IncrementStop(Part):
+class IncrementCriterion(Part):
     """Increment |Δq|₂ below an absolute number *in the units of the solver*.
 
     Attributes
@@ -250,10 +260,10 @@ class IncrementStop(Part):
     tolerance: float
 
 
-Stop: TypeAlias = EnergyStop | ResidualStop | IncrementStop
+ConvergenceCriterion: TypeAlias = EnergyCriterion | ResidualCriterion | IncrementCriterion
 """Convergence criterion of a Newton iteration."""
 
-Unstable: TypeAlias = Literal["stop", "follow", "leave"]
+InstabilityAction: TypeAlias = Literal["stop", "follow", "leave"]
 """Continuation of statics after a loss of stability.
 
 * ``"stop"``: Failure at the last stable equilibrium.
@@ -261,14 +271,14 @@ Unstable: TypeAlias = Literal["stop", "follow", "leave"]
 * ``"leave"``: A stable branch in an unstable direction.
 """
 
-About: TypeAlias = Literal["reference", "equilibrium"]
+LinearizationState: TypeAlias = Literal["reference", "equilibrium"]
 """State about which natural modes are computed.
 
 * ``"reference"``: Undeformed state, free of loads and stress.
 * ``"equilibrium"``: Equilibrium under all loads.
 """
 
-Sense: TypeAlias = Literal["stated", "reversed", "either"]
+LoadDirection: TypeAlias = Literal["stated", "reversed", "either"]
 """Sign of the load factors of buckling.
 
 * ``"stated"``: Positive: loads act as stated.
@@ -277,6 +287,7 @@ Sense: TypeAlias = Literal["stated", "reversed", "either"]
 """
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Dynamics(Part):
     """Motion that starts in the undeformed state.
@@ -302,7 +313,7 @@ class Dynamics(Part):
         Accelerations and multipliers at the start. One of ``"consistent"``, ``"zero"``. Default:
         ``"consistent"``.
     stop
-        Convergence criterion of the Newton iteration. Default: ``EnergyStop(tolerance=1e-8)``.
+        Convergence criterion of the Newton iteration. Default: ``EnergyCriterion(tolerance=1e-8)``.
 
     """
 
@@ -317,10 +328,11 @@ class Dynamics(Part):
     max_iterations: int | None = None
     newton: NewtonMethod | None = None
     scheme: Scheme | None = None
-    start: Start | None = None
-    stop: Stop | None = None
+    start: InitialAccelerations | None = None
+    stop: ConvergenceCriterion | None = None
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Statics(Part):
     """Equilibrium under increasing loads.
@@ -336,7 +348,7 @@ class Statics(Part):
     max_iterations
         Maximum number of Newton iterations of an increment (>= 1). Default: ``100``.
     stop
-        Convergence criterion of the Newton iteration. Default: ``EnergyStop(tolerance=1e-8)``.
+        Convergence criterion of the Newton iteration. Default: ``EnergyCriterion(tolerance=1e-8)``.
     unstable
         Continuation after a loss of stability. One of ``"stop"``, ``"follow"``, ``"leave"``. Default:
         ``"follow"``.
@@ -351,12 +363,13 @@ class Statics(Part):
     largest: float | None = None
     load: float | None = None
     max_iterations: int | None = None
-    stop: Stop | None = None
-    unstable: Unstable | None = None
+    stop: ConvergenceCriterion | None = None
+    unstable: InstabilityAction | None = None
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
-class Path(Part):
+class EquilibriumPath(Part):
     """Equilibrium path by arc length continuation.
 
     Attributes
@@ -373,7 +386,7 @@ class Path(Part):
     points
         Maximum number of points (>= 1, <= 1000000). Default: ``1000``.
     stop
-        Convergence criterion of the Newton iteration. Default: ``EnergyStop(tolerance=1e-8)``.
+        Convergence criterion of the Newton iteration. Default: ``EnergyCriterion(tolerance=1e-8)``.
 
     """
 
@@ -386,9 +399,10 @@ class Path(Part):
     load: float | None = None
     max_iterations: int | None = None
     points: int | None = None
-    stop: Stop | None = None
+    stop: ConvergenceCriterion | None = None
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Modes(Part):
     """Natural frequencies and mode shapes.
@@ -407,10 +421,11 @@ class Modes(Part):
     _tag = "kind"
     kind: ClassVar[Literal["modes"]] = "modes"
 
-    about: About | None = None
+    about: LinearizationState | None = None
     count: int | None = None
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Buckling(Part):
     """Critical load factors.
@@ -429,8 +444,8 @@ class Buckling(Part):
     kind: ClassVar[Literal["buckling"]] = "buckling"
 
     count: int | None = None
-    sense: Sense | None = None
+    sense: LoadDirection | None = None
 
 
-Analysis: TypeAlias = Dynamics | Statics | Path | Modes | Buckling
+Analysis: TypeAlias = Dynamics | Statics | EquilibriumPath | Modes | Buckling
 """Analysis to run."""

@@ -6,12 +6,14 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import ClassVar, Literal, TypeAlias
 
+from ancf.model.base.arguments import checked_arguments
 from ancf.model.base.axis import Axis, Frame, Point
 from ancf.model.base.part import Part, Points, Vector
 from ancf.model.sections import Material, Section
 
 __all__ = [
     "Arc",
+    "AxisShape",
     "Beam",
     "Body",
     "BodySurface",
@@ -21,8 +23,7 @@ __all__ = [
     "InitialMotion",
     "PointMass",
     "RigidBody",
-    "Shape",
-    "Slopes",
+    "SlopeCoordinates",
     "Spline",
     "Straight",
 ]
@@ -42,6 +43,7 @@ Formulation: TypeAlias = Literal["continuum", "enhanced", "linked", "quadratic"]
 """
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class InitialMotion(Part):
     """Initial motion of a body, with the velocity field of a rigid body: v(r) = v₀ + ω × (r − c).
@@ -64,6 +66,7 @@ class InitialMotion(Part):
     velocity: Vector | None = None
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Straight(Part):
     """Straight line."""
@@ -73,6 +76,7 @@ class Straight(Part):
     kind: ClassVar[Literal["straight"]] = "straight"
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Arc(Part):
     """Arc of a circle.
@@ -91,6 +95,7 @@ class Arc(Part):
     through: Vector
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Helix(Part):
     """Helix.
@@ -115,6 +120,7 @@ class Helix(Part):
     turns: float
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Spline(Part):
     """Natural cubic spline.
@@ -133,10 +139,10 @@ class Spline(Part):
     through: Points
 
 
-Shape: TypeAlias = Straight | Arc | Helix | Spline
+AxisShape: TypeAlias = Straight | Arc | Helix | Spline
 """Shape of the axis of a beam in the reference state, which is free of stress."""
 
-Slopes: TypeAlias = Literal["gradient", "length"]
+SlopeCoordinates: TypeAlias = Literal["gradient", "length"]
 """Slope coordinates of a node: ℓ r_x, ℓ r_y, ℓ r_z.
 
 * ``"gradient"``: Gradients, ℓ = 1 (Kim et al. 2017, eq. 2).
@@ -144,6 +150,7 @@ Slopes: TypeAlias = Literal["gradient", "length"]
 """
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class BodySurface(Part):
     """Contact surface of a rigid body or a point mass: a ball, a box or balls about points.
@@ -167,6 +174,7 @@ class BodySurface(Part):
     radius: float | None = None
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Beam(Axis):
     """Beam with bending, torsion, axial and shear deformation.
@@ -225,12 +233,13 @@ class Beam(Axis):
     formulation: Formulation | None = None
     motion: InitialMotion | None = None
     section_end: str | Section | None = None
-    shape: Shape | None = None
-    slopes: Slopes | None = None
+    shape: AxisShape | None = None
+    slopes: SlopeCoordinates | None = None
     twist: float | None = None
     up: Vector | None = None
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Cable(Axis):
     """Cable with axial and isotropic bending deformation, without torsion.
@@ -276,10 +285,11 @@ class Cable(Axis):
     section: str | Section
     material: str | Material
     motion: InitialMotion | None = None
-    slopes: Slopes | None = None
+    slopes: SlopeCoordinates | None = None
     up: Vector | None = None
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class RigidBody(Frame):
     """Rigid body.
@@ -316,6 +326,7 @@ class RigidBody(Frame):
     surface: BodySurface | None = None
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class PointMass(Point):
     """Point mass.

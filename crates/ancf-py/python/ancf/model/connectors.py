@@ -5,13 +5,15 @@
 from dataclasses import dataclass, field
 from typing import ClassVar, Literal
 
+from ancf.model.base.arguments import checked_arguments
 from ancf.model.base.functions import TimeFunction
 from ancf.model.base.part import Numbers, Part
-from ancf.model.base.places import End, Place
+from ancf.model.base.places import JointEnd, Place
 
 __all__ = ["Bushing", "Distance", "Spring"]
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Distance(Part):
     """Massless rod with ball joints at its ends: constrains or prescribes the distance of two points.
@@ -37,11 +39,12 @@ class Distance(Part):
 
     name: str = field(kw_only=False)
     a: Place
-    b: End
+    b: JointEnd
     change: float | None = None
     time: TimeFunction | None = None
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Bushing(Part):
     """Bushing: springs and dampers between two coincident places, along and about three axes.
@@ -71,10 +74,11 @@ class Bushing(Part):
     name: str = field(kw_only=False)
     a: Place
     stiffness: Numbers
-    b: End | None = None
+    b: JointEnd | None = None
     damping: Numbers | None = None
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Spring(Part):
     """Spring and damper between two points.
@@ -104,7 +108,7 @@ class Spring(Part):
 
     name: str = field(kw_only=False)
     a: Place
-    b: End
+    b: JointEnd
     damping: float | None = None
     length: float | None = None
     stiffness: float | None = None

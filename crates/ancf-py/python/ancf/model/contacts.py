@@ -6,12 +6,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import ClassVar, Literal, TypeAlias
 
+from ancf.model.base.arguments import checked_arguments
 from ancf.model.base.part import Part, Vector
 from ancf.model.base.places import Place
 
-__all__ = ["Contact", "ContactSurface", "Cylinder", "EachOther", "Plane", "Sphere"]
+__all__ = ["Contact", "ContactSurface", "Cylinder", "MutualContact", "Plane", "Sphere"]
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Plane(Part):
     """Half space behind a plane.
@@ -36,6 +38,7 @@ class Plane(Part):
     on: Place | None = None
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Sphere(Part):
     """Sphere, solid or hollow.
@@ -63,6 +66,7 @@ class Sphere(Part):
     on: Place | None = None
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Cylinder(Part):
     """Infinite cylinder, solid or hollow.
@@ -93,8 +97,9 @@ class Cylinder(Part):
     on: Place | None = None
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
-class EachOther(Part):
+class MutualContact(Part):
     """Contact of the bodies with each other and of each body with itself."""
 
     _form = "ContactSurface"
@@ -102,10 +107,11 @@ class EachOther(Part):
     kind: ClassVar[Literal["bodies"]] = "bodies"
 
 
-ContactSurface: TypeAlias = Plane | Sphere | Cylinder | EachOther
+ContactSurface: TypeAlias = Plane | Sphere | Cylinder | MutualContact
 """Contact partner: an obstacle, or the bodies themselves."""
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Contact(Part):
     """Contact of bodies with an obstacle or with each other.

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from ancf import _ancf
+from ancf.model import summary
 from ancf.model.base.part import Part, plain
 from ancf.model.base.tables import Tables
 from ancf.model.output import Probe
@@ -62,6 +63,16 @@ class Document(Part):
         """Return the probe with a name. Raises ``KeyError`` if there is none."""
         found: Probe = _named("probe", name, self.probes)
         return found
+
+    def __repr__(self) -> str:
+        return summary.text(self)
+
+    def _repr_html_(self) -> str:
+        return summary.html(self)
+
+    def _label(self) -> str | None:
+        # Paths of a whole model are complete.
+        return None
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Document):

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Literal, TypeAlias
 
+from ancf.model.base.arguments import checked_arguments
 from ancf.model.base.functions import TimeFunction
 from ancf.model.base.part import Part
 
@@ -13,7 +14,7 @@ __all__ = [
     "AngularDrive",
     "AngularFriction",
     "AngularSpring",
-    "Coupled",
+    "CoupledJoint",
     "Coupling",
     "JointCoordinate",
     "LinearDrive",
@@ -22,6 +23,7 @@ __all__ = [
 ]
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class AngularDrive(Part):
     """Prescribed angle of a joint, by ``angle`` or by ``rate``.
@@ -45,6 +47,7 @@ class AngularDrive(Part):
     time: TimeFunction | None = None
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class AngularSpring(Part):
     """Torsion spring and damper with the moment −stiffness (θ − angle) − damping dθ/dt.
@@ -67,6 +70,7 @@ class AngularSpring(Part):
     stiffness: float | None = None
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class AngularFriction(Part):
     """Dry friction of a hinge with the moment −moment tanh(ω/rate).
@@ -86,6 +90,7 @@ class AngularFriction(Part):
     rate: float
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class LinearDrive(Part):
     """Prescribed displacement of a joint, by ``displacement`` or by ``speed``.
@@ -109,6 +114,7 @@ class LinearDrive(Part):
     time: TimeFunction | None = None
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class LinearSpring(Part):
     """Spring and damper with the force −stiffness (s − displacement) − damping ds/dt.
@@ -131,6 +137,7 @@ class LinearSpring(Part):
     stiffness: float | None = None
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class LinearFriction(Part):
     """Dry friction of a slider with the force −force tanh(v/speed).
@@ -158,8 +165,9 @@ JointCoordinate: TypeAlias = Literal["angle", "displacement"]
 """
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
-class Coupled(Part):
+class CoupledJoint(Part):
     """Joint of a coupling.
 
     Attributes
@@ -181,6 +189,7 @@ class Coupled(Part):
     of: JointCoordinate | None = None
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Coupling(Part):
     """Coupled joints, such as gears, racks, belts and screws.
@@ -199,4 +208,4 @@ class Coupling(Part):
     _form = "Coupling"
 
     name: str = field(kw_only=False)
-    joints: Sequence[Coupled]
+    joints: Sequence[CoupledJoint]

@@ -5,9 +5,10 @@
 from dataclasses import dataclass, field
 from typing import ClassVar, Literal, TypeAlias
 
+from ancf.model.base.arguments import checked_arguments
 from ancf.model.base.functions import TimeFunction
 from ancf.model.base.part import Part, Vector
-from ancf.model.base.places import End, Place
+from ancf.model.base.places import JointEnd, Place
 from ancf.model.connectors import Bushing, Distance, Spring
 from ancf.model.drives import (
     AngularDrive,
@@ -22,13 +23,13 @@ __all__ = [
     "Clamp",
     "ClampedGradients",
     "Cylindrical",
-    "Drive",
     "Joint",
     "Planar",
     "PointOnLine",
+    "PrescribedMotion",
     "Prismatic",
     "Revolute",
-    "Slide",
+    "SlidingJoint",
     "Spherical",
     "Universal",
 ]
@@ -44,6 +45,7 @@ ClampedGradients: TypeAlias = Literal["all", "section"]
 """
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Clamp(Part):
     """Clamp: constrains position and orientation.
@@ -69,10 +71,11 @@ class Clamp(Part):
 
     name: str = field(kw_only=False)
     a: Place
-    b: End | None = None
+    b: JointEnd | None = None
     fix: ClampedGradients | None = None
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Revolute(Part):
     """Hinge: constrains the position and allows rotation about one axis.
@@ -103,12 +106,13 @@ class Revolute(Part):
     name: str = field(kw_only=False)
     a: Place
     axis: Vector
-    b: End | None = None
+    b: JointEnd | None = None
     drive: AngularDrive | None = None
     friction: AngularFriction | None = None
     spring: AngularSpring | None = None
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Spherical(Part):
     """Ball joint: constrains the position.
@@ -130,11 +134,12 @@ class Spherical(Part):
 
     name: str = field(kw_only=False)
     a: Place
-    b: End | None = None
+    b: JointEnd | None = None
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
-class Drive(Part):
+class PrescribedMotion(Part):
     """Clamp to a frame with prescribed rotation about the place and prescribed displacement.
 
     Attributes
@@ -171,6 +176,7 @@ class Drive(Part):
     fix: ClampedGradients | None = None
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Universal(Part):
     """Cardan joint of two shafts: constrains the position and the angle between the arms of the cross.
@@ -200,9 +206,10 @@ class Universal(Part):
     a: Place
     axis_a: Vector
     axis_b: Vector
-    b: End | None = None
+    b: JointEnd | None = None
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Cylindrical(Part):
     """Cylindrical joint: allows rotation about an axis and displacement along it.
@@ -233,12 +240,13 @@ class Cylindrical(Part):
     name: str = field(kw_only=False)
     a: Place
     axis: Vector
-    b: End | None = None
+    b: JointEnd | None = None
     drive: AngularDrive | None = None
     feed: LinearDrive | None = None
     spring: AngularSpring | None = None
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Prismatic(Part):
     """Prismatic joint: allows displacement along an axis.
@@ -269,12 +277,13 @@ class Prismatic(Part):
     name: str = field(kw_only=False)
     a: Place
     axis: Vector
-    b: End | None = None
+    b: JointEnd | None = None
     drive: LinearDrive | None = None
     friction: LinearFriction | None = None
     spring: LinearSpring | None = None
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Planar(Part):
     """Planar joint: allows displacements in a plane and rotation about its normal.
@@ -299,9 +308,10 @@ class Planar(Part):
     name: str = field(kw_only=False)
     a: Place
     normal: Vector
-    b: End | None = None
+    b: JointEnd | None = None
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class PointOnLine(Part):
     """Point on a straight line: allows displacement along the line and all rotations.
@@ -326,11 +336,12 @@ class PointOnLine(Part):
     name: str = field(kw_only=False)
     a: Place
     axis: Vector
-    b: End | None = None
+    b: JointEnd | None = None
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
-class Slide(Part):
+class SlidingJoint(Part):
     """Sliding joint: constrains a point to the deformed axis of a beam or cable.
 
     Attributes
@@ -356,7 +367,7 @@ class Slide(Part):
 
     name: str = field(kw_only=False)
     a: Place
-    b: End
+    b: JointEnd
     drive: LinearDrive | None = None
     friction: LinearFriction | None = None
     spring: LinearSpring | None = None
@@ -366,14 +377,14 @@ Joint: TypeAlias = (
     Clamp
     | Revolute
     | Spherical
-    | Drive
+    | PrescribedMotion
     | Universal
     | Cylindrical
     | Prismatic
     | Planar
     | PointOnLine
     | Distance
-    | Slide
+    | SlidingJoint
     | Bushing
     | Spring
 )

@@ -6,16 +6,17 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import ClassVar, Literal, TypeAlias
 
+from ancf.model.base.arguments import checked_arguments
 from ancf.model.base.functions import TimeFunction
 from ancf.model.base.part import ForceFunction, Numbers, Part, Vector
-from ancf.model.base.places import At, Place
+from ancf.model.base.places import Place, Position
 
 __all__ = [
     "BaseAcceleration",
     "DistributedForce",
     "DistributedMoment",
     "ExternalForce",
-    "Fluid",
+    "FluidLoad",
     "Force",
     "Load",
     "Moment",
@@ -23,6 +24,7 @@ __all__ = [
 ]
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Scales(Part):
     """Units of length, time and force to which a model is converted.
@@ -52,6 +54,7 @@ class Scales(Part):
     force: float
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Force(Part):
     """Force at a point of a body.
@@ -79,6 +82,7 @@ class Force(Part):
     time: TimeFunction | None = None
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Moment(Part):
     """Moment on a section or on a rigid body.
@@ -106,6 +110,7 @@ class Moment(Part):
     time: TimeFunction | None = None
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class DistributedForce(Part):
     """Force per length along the axis of a body.
@@ -139,11 +144,12 @@ class DistributedForce(Part):
     force: Vector
     follower: bool | None = None
     force_end: Vector | None = None
-    from_: At | None = None
+    from_: Position | None = None
     time: TimeFunction | None = None
-    to: At | None = None
+    to: Position | None = None
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class DistributedMoment(Part):
     """Moment per length on the sections of a beam.
@@ -175,12 +181,13 @@ class DistributedMoment(Part):
     body: str
     moment: Vector
     follower: bool | None = None
-    from_: At | None = None
+    from_: Position | None = None
     moment_end: Vector | None = None
     time: TimeFunction | None = None
-    to: At | None = None
+    to: Position | None = None
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class BaseAcceleration(Part):
     """Translational acceleration of the ground. All results are relative to the ground.
@@ -202,8 +209,9 @@ class BaseAcceleration(Part):
     time: TimeFunction | None = None
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
-class Fluid(Part):
+class FluidLoad(Part):
     """Fluid around bodies: drag, added mass and buoyancy.
 
     The forces follow Morison's equation, with the coefficients of MoorDyn.
@@ -247,6 +255,7 @@ class Fluid(Part):
     time: TimeFunction | None = None
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class ExternalForce(Part):
     """Force at a point, computed by a function of time, position and velocity of the point.
@@ -275,6 +284,6 @@ class ExternalForce(Part):
 
 
 Load: TypeAlias = (
-    Force | Moment | DistributedForce | DistributedMoment | BaseAcceleration | Fluid | ExternalForce
+    Force | Moment | DistributedForce | DistributedMoment | BaseAcceleration | FluidLoad | ExternalForce
 )
 """Load on bodies. Gravity is a key of the model."""

@@ -6,12 +6,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Literal, TypeAlias
 
+from ancf.model.base.arguments import checked_arguments
 from ancf.model.base.part import Numbers, Part
 from ancf.model.base.places import Place
 
-__all__ = ["Output", "Probe", "Quantity"]
+__all__ = ["Output", "Probe", "ProbeQuantity"]
 
-Quantity: TypeAlias = Literal["motion", "rotation", "section_forces", "strain", "stress"]
+ProbeQuantity: TypeAlias = Literal["motion", "rotation", "section_forces", "strain", "stress"]
 """Quantity that a probe records.
 
 * ``"motion"``: Position, velocity and acceleration of the point.
@@ -25,6 +26,7 @@ Quantity: TypeAlias = Literal["motion", "rotation", "section_forces", "strain", 
 """
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Probe(Part):
     """Place where motion, section forces, strain or stress are recorded.
@@ -47,9 +49,10 @@ class Probe(Part):
     name: str = field(kw_only=False)
     on: Place
     offset: Numbers | None = None
-    record: Sequence[Quantity] | None = None
+    record: Sequence[ProbeQuantity] | None = None
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Output(Part):
     """Content and frequency of the output.

@@ -5,6 +5,7 @@
 from dataclasses import dataclass
 from typing import ClassVar, Literal, TypeAlias
 
+from ancf.model.base.arguments import checked_arguments
 from ancf.model.base.part import Part, Shared
 
 __all__ = [
@@ -20,6 +21,7 @@ __all__ = [
 ]
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Damping(Part):
     """Damping of a material.
@@ -49,6 +51,7 @@ MaterialLaw: TypeAlias = Literal["st_venant_kirchhoff", "neo_hookean"]
 """
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Material(Shared):
     """Isotropic elastic material with damping.
@@ -81,6 +84,7 @@ class Material(Shared):
     poisson: float | None = None
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Circle(Shared):
     """Full circle.
@@ -102,6 +106,7 @@ class Circle(Shared):
     diameter: float
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Tube(Shared):
     """Circular tube.
@@ -126,6 +131,7 @@ class Tube(Shared):
     inner: float
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Rectangle(Shared):
     """Full rectangle.
@@ -150,6 +156,7 @@ class Rectangle(Shared):
     width: float
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Ellipse(Shared):
     """Full ellipse.
@@ -174,6 +181,7 @@ class Ellipse(Shared):
     width: float
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class GeneralSection(Shared):
     """General section, defined by its constants. The moduli E and G are those of the material.

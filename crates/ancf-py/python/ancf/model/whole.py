@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import ClassVar, Literal, TypeAlias
 
 from ancf.model.analyses import Analysis
+from ancf.model.base.arguments import checked_arguments
 from ancf.model.base.part import Part, Vector
 from ancf.model.bodies import Body
 from ancf.model.contacts import Contact
@@ -20,6 +21,7 @@ from ancf.model.sections import Material, Section
 __all__ = ["AutoScales", "GivenScales", "Model", "NoScales", "PaperScales", "ScaleChoice", "Units"]
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class NoScales(Part):
     """Units of the model: the dimensional form of the equations."""
@@ -29,6 +31,7 @@ class NoScales(Part):
     kind: ClassVar[Literal["none"]] = "none"
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class PaperScales(Part):
     """Units of Kim et al. (2017), for one beam under gravity.
@@ -41,6 +44,7 @@ class PaperScales(Part):
     kind: ClassVar[Literal["paper"]] = "paper"
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class AutoScales(Part):
     """Length and weight of the longest body.
@@ -54,6 +58,7 @@ class AutoScales(Part):
     kind: ClassVar[Literal["auto"]] = "auto"
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class GivenScales(Part):
     """Given units.
@@ -83,6 +88,7 @@ ScaleChoice: TypeAlias = NoScales | PaperScales | AutoScales | GivenScales
 """Choice of the units in which the equations are solved."""
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Units(Part):
     """Names of the units of a model, for axes, legends and result files. Nothing is converted.
@@ -105,6 +111,7 @@ class Units(Part):
     force: str
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Model(Document):
     """Flexible multibody model.

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from ancf.display.numbers import energy_unit
 from ancf.record.suggestion import unknown_name
 
 Array = np.typing.NDArray[np.float64]
@@ -22,8 +23,26 @@ VECTORS: dict[str, tuple[str, ...]] = {
 }
 """Suffixes of the columns of each vector, after the name of the probe or the joint."""
 
+ANGULAR_RATES = ("rate", *VECTORS["angular_velocity"])
+"""Suffixes of the columns of angular velocities."""
+
 JOINT_COORDINATES = ("angle", "rate", "displacement", "speed", "position", "length")
 """Suffixes of the columns of joint coordinates and their rates."""
+
+ENERGIES = ("kinetic", "strain", "potential", "work", "dissipated", "balance")
+"""Columns of energies."""
+
+
+def shown_unit(column: str, unit: str | None) -> str | None:
+    """Return the unit of a column for labels: J for energies, rad for angles. The total energy is no column."""
+    suffix = column.rpartition(".")[2]
+    if column in {*ENERGIES, "total"}:
+        return energy_unit(unit)
+    if suffix == "angle" and unit == "1":
+        return "rad"
+    if suffix in ANGULAR_RATES and unit is not None and unit.startswith("1/"):
+        return f"rad{unit[1:]}"
+    return unit
 
 
 class Columns:
@@ -32,7 +51,13 @@ class Columns:
     # It is ambiguous whether an iteration means rows or columns.
     __iter__ = None
 
-    def __init__(self, columns: list[str], data: Array, indices: dict[str, int] | None = None) -> None:
+    def __init__(
+        self,
+        columns: list[str],
+        data: Array,
+        indices: dict[str, int] | None = None,
+        units: dict[str, str] | None = None,
+    ) -> None:
         """Store data `[..., column]`. The indices of the columns are computed if omitted."""
         self.columns = columns
         """Names of all columns."""
@@ -40,6 +65,8 @@ class Columns:
         """All numbers, `[row, column]` or `[column]`."""
         self.indices = {name: i for i, name in enumerate(columns)} if indices is None else indices
         """Indices of the columns by name."""
+        self.units = {} if units is None else units
+        """Units of the columns by name, if the model names its `units`. Pure numbers have the unit `1`."""
 
     def __getitem__(self, column: str) -> Array:
         """Return a view of a column."""
@@ -53,6 +80,10 @@ class Columns:
 
     def _ipython_key_completions_(self) -> list[str]:
         return self.columns
+
+    def __repr__(self) -> str:
+        rows = f"{len(self.data)} rows, " if self.data.ndim > 1 else ""
+        return f"{type(self).__name__}({rows}{len(self.columns)} columns)"
 
     def vector(self, name: str, quantity: str) -> Array:
         """Return a view of a vector of a probe or a joint, `[..., component]`. Quantities are those of `VECTORS`."""

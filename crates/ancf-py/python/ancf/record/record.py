@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from ancf import _ancf
 from ancf.record.columns import JOINT_COORDINATES, VECTORS, Array, Columns
 from ancf.record.suggestion import unknown_name
 from ancf.record.views import Energy, JointMotion, Probe, Reaction, Views
@@ -15,15 +16,46 @@ if TYPE_CHECKING:
 
     from ancf._ancf import States
 
+TENSORS = ("strain", "stress")
+"""Fields that are computed at an offset in the section."""
+
+STATION_FIELDS = (
+    "position",
+    "displacement",
+    "velocity",
+    "acceleration",
+    "directors",
+    "section_forces",
+    *TENSORS,
+)
+"""Fields of vectors and tensors."""
+
+
+class ScalarField(NamedTuple):
+    """A number per station, by which the report colours bodies."""
+
+    name: str
+    unit: str
+    """Unit, empty if the model does not name its units."""
+    is_signed: bool
+    """True for quantities of both signs."""
+    values: Array
+    """Values `[frame, station]`, NaN where the quantity is not defined."""
+
 
 class Record(Columns):
     """Columns and states: those of all rows in a `Result`, those of one row in an `Instant`."""
 
     def __init__(
-        self, columns: list[str], data: Array, states: States, indices: dict[str, int] | None = None
+        self,
+        columns: list[str],
+        data: Array,
+        states: States,
+        indices: dict[str, int] | None = None,
+        units: dict[str, str] | None = None,
     ) -> None:
         """Store columns `[..., column]` and the states from which fields are computed."""
-        super().__init__(columns, data, indices)
+        super().__init__(columns, data, indices, units)
         self.states = states
 
     def probe(self, name: str) -> Probe:
@@ -61,12 +93,19 @@ class Record(Columns):
         body: str | None = None,
         parts: int = 1,
         rows: int | slice | Sequence[int] | None = None,
+        *,
+        offset: tuple[float, float] | None = None,
     ) -> Array:
         """Compute a quantity along the bodies, `[row, station, component]`, or `[station, component]` of one row.
 
         * `position`, `displacement`, `velocity`, `acceleration`: x, y, z
         * `directors`: (3, 3), normal, y and z of the section, or the axes of a rigid body, in global components
         * `section_forces`: N, Qy, Qz, T, My, Mz; NaN for rigid bodies
+        * `strain`, `stress`: Green-Lagrange strain, second Piola-Kirchhoff stress, xx, yy, zz, xy, xz, yz in the frame
+          of the section, on the axis or at `offset` (y, z), as a probe records them
+        * one number per station, `[row, station]`, as the report colours bodies: `axial_force`, `shear_force`,
+          `torque`, `bending_moment`, `axial_stress`, `shear_stress`, `von_mises_stress`, ... Stresses
+          are the largest of the section by the section forces. These numbers have single precision.
 
         Stations are the ends of elements and, with `parts` > 1, equidistant points within each. A rigid body has
         one station, its centre. Stations are in the order of the bodies (see `stations`). `body` selects those of
@@ -75,7 +114,7 @@ class Record(Columns):
         A result of `ancf.load` has the states that were kept: its rows of a field are at `Result.frames`.
         """
         chosen = np.arange(len(self.states))[slice(None) if rows is None else rows]
-        numbers = self.states.field(name, parts, None if rows is None else np.atleast_1d(chosen).tolist())
+        numbers = self._field(name, parts, None if rows is None else np.atleast_1d(chosen).tolist(), offset)
         if body is not None:
             names, numbers_of, _ = self.states.stations(parts)
             if body not in names:
@@ -84,6 +123,25 @@ class Record(Columns):
         if name == "directors":
             numbers = numbers.reshape(*numbers.shape[:2], 3, 3)
         return numbers[0] if np.ndim(chosen) == 0 or self.data.ndim == 1 else numbers
+
+    def _field(
+        self, name: str, parts: int, frames: list[int] | None, offset: tuple[float, float] | None
+    ) -> Array:
+        if offset is not None and name not in TENSORS:
+            msg = f"offset: found {offset!r} of the field {name!r}, wanted that of 'strain' or 'stress'"
+            raise ValueError(msg)
+        if name in STATION_FIELDS:
+            return self.states.field(name, parts, frames, (0.0, 0.0) if offset is None else offset)
+        scalars = self._scalar_fields(parts, frames)
+        if name not in scalars:
+            msg = f"field: {unknown_name('field', name, [*STATION_FIELDS, *scalars])}"
+            raise ValueError(msg)
+        return scalars[name].values
+
+    def _scalar_fields(self, parts: int = 1, frames: list[int] | None = None) -> dict[str, ScalarField]:
+        """Compute all scalar fields of the report that are defined, by their names in Python."""
+        found = (ScalarField(*field) for field in _ancf.scalar_fields(self.states, parts, frames))
+        return {field.name.lower().replace(" ", "_"): field for field in found}
 
     def stations(self, parts: int = 1) -> list[tuple[str, float]]:
         """Return body and arc length of each station of a field."""

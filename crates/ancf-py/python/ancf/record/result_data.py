@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ancf.record.columns import Array
-from ancf.record.record import Record
+from ancf.record.columns import VECTORS, Array
+from ancf.record.record import STATION_FIELDS, Record
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -17,7 +17,12 @@ if TYPE_CHECKING:
 
     from ancf._ancf import States
 
-COMPONENT_NAMES = {"directors": "entry", "section_forces": "component"}
+COMPONENT_NAMES = {
+    "directors": "entry",
+    "section_forces": "component",
+    "strain": "tensor_component",
+    "stress": "tensor_component",
+}
 """Names of the last dimension of fields that are not vectors."""
 
 
@@ -38,15 +43,13 @@ class ResultData(Record):
         frame_rows: np.typing.NDArray[np.int64] | None = None,
     ) -> None:
         """Store the results of an analysis of a `kind` of a model."""
-        super().__init__(columns, data, states)
+        super().__init__(columns, data, states, units=units)
         self.kind = kind
         """Kind of the analysis: `dynamics`, `statics`, `path`, `modes` or `buckling`."""
         self.summary = summary
         """Summary of the run: outcome, steps, iterations, coordinates, units of the solver, ..."""
         self.model = model
         """The model, as plain data."""
-        self.units = {} if units is None else units
-        """Units of the columns by name, if the model names its `units`. Pure numbers have the unit `1`."""
         count = len(states)
         self.frames: Array = data[:count, 0] if frames is None else frames
         """Time, load factor or number of the mode of each kept state, on which fields and plots are based. After
@@ -147,20 +150,26 @@ class ResultData(Record):
         if over == "frame":
             data = data.assign_coords(frame=("frame", self.frames, _attributes(self.units.get(row))))
         for name in fields:
-            numbers = self.field(name, parts=parts).reshape(len(self.frames), len(bodies), -1)
+            numbers = self.field(name, parts=parts)
+            if name not in STATION_FIELDS:
+                own = self._scalar_fields(parts, [0])[name].unit
+                data[name] = ((over, "station"), numbers, _attributes(own or None))
+                continue
+            numbers = numbers.reshape(len(self.frames), len(bodies), -1)
             unit = None if self.is_modal else self.field_units.get(name)
             data[name] = ((over, "station", COMPONENT_NAMES.get(name, "axis")), numbers, _attributes(unit))
         return data
 
     @property
     def field_units(self) -> dict[str, str]:
-        """Units of fields and of the components of section forces, if the model names its `units`."""
+        """Units of fields and of the components of section forces and stresses, if the model names its `units`."""
         names = self.model.get("units")
         if not names:
             return {}
         length, time, force = names["length"], names["time"], names["force"]
         own = dict.fromkeys(("position", "displacement"), length)
         own |= {"velocity": f"{length}/{time}", "acceleration": f"{length}/{time}²", "time": time}
+        own |= dict.fromkeys(("stress", *VECTORS["stress"]), f"{force}/{length}²")
         return (
             own
             | dict.fromkeys(("N", "Qy", "Qz"), force)

@@ -5,23 +5,25 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Generic, TypeVar
 
-from ancf.record.columns import JOINT_COORDINATES, VECTORS, Array, Columns
+from ancf.display.numbers_table import numbers_table
+from ancf.display.tables import Table, representation, titled
+from ancf.record.columns import ENERGIES, JOINT_COORDINATES, VECTORS, Array, Columns, shown_unit
 from ancf.record.suggestion import unknown_name
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
-View = TypeVar("View")
+T = TypeVar("T")
 
 
-class Views(Mapping[str, View], Generic[View]):
+class Views(Mapping[str, T], Generic[T]):
     """Views of one class by name."""
 
-    def __init__(self, names: Sequence[str], view: Callable[[str], View], what: str) -> None:
+    def __init__(self, names: Sequence[str], view: Callable[[str], T], what: str) -> None:
         """Map `names` of a kind of object to the views that the function `view` returns."""
         self._names, self._view, self._what = names, view, what
 
-    def __getitem__(self, name: str) -> View:
+    def __getitem__(self, name: str) -> T:
         if name not in self._names:
             raise KeyError(unknown_name(self._what, name, self._names))
         return self._view(name)
@@ -39,7 +41,49 @@ class Views(Mapping[str, View], Generic[View]):
         return list(self._names)
 
 
-class Probe:
+class View:
+    """Columns of one object, which shows them as a table."""
+
+    kind = ""
+    """Word for the object."""
+
+    def __init__(self, columns: Columns, name: str) -> None:
+        """View the columns of the object with a name."""
+        self._columns, self.name = columns, name
+
+    def _own(self) -> dict[str, str]:
+        """Return the columns of the object by their names in its table."""
+        return {column.removeprefix(f"{self.name}."): column for column in self._suffixed()}
+
+    def _suffixed(self) -> list[str]:
+        return [
+            f"{self.name}.{suffix}" for suffix in self._suffixes() if f"{self.name}.{suffix}" in self._columns
+        ]
+
+    def _suffixes(self) -> Sequence[str]:
+        raise NotImplementedError
+
+    def _unit(self, column: str) -> str | None:
+        return shown_unit(column, self._columns.units.get(column))
+
+    def _table(self) -> Table:
+        own = self._own()
+        columns = {name: self._columns[column] for name, column in own.items()}
+        return numbers_table(columns, {name: self._unit(column) for name, column in own.items()})
+
+    def _title(self) -> str:
+        data = self._columns.data
+        rows = f", {len(data)} rows" if data.ndim > 1 else ""
+        return f"{self.kind} {self.name!r}{rows}" if self.name else f"{self.kind}{rows}"
+
+    def __repr__(self) -> str:
+        return f"{self._title()}\n{self._table().text('  ')}"
+
+    def _repr_html_(self) -> str:
+        return representation([titled(self._title()), self._table().html()])
+
+
+class Probe(View):
     """Recorded quantities of a probe, each an array `[..., component]`."""
 
     QUANTITIES = (
@@ -53,9 +97,10 @@ class Probe:
         "stress",
     )
 
-    def __init__(self, columns: Columns, name: str) -> None:
-        """View the columns of the probe with a name."""
-        self._columns, self.name = columns, name
+    kind = "Probe"
+
+    def _suffixes(self) -> Sequence[str]:
+        return [suffix for quantity in self.QUANTITIES for suffix in VECTORS[quantity]]
 
     @property
     def position(self) -> Array:
@@ -97,18 +142,14 @@ class Probe:
         """Second Piola-Kirchhoff stress xx, yy, zz, xy, xz, yz; force/length²."""
         return self._columns.vector(self.name, "stress")
 
-    def __repr__(self) -> str:
-        columns = self._columns
-        found = [of for of in self.QUANTITIES if f"{self.name}.{VECTORS[of][0]}" in columns]
-        return f"Probe({self.name!r}: {', '.join(found)})"
 
-
-class Reaction:
+class Reaction(View):
     """Force and moment that a joint exerts on its end `a`, global components, `[..., component]`."""
 
-    def __init__(self, columns: Columns, name: str) -> None:
-        """View the columns of the joint with a name."""
-        self._columns, self.name = columns, name
+    kind = "Reaction"
+
+    def _suffixes(self) -> Sequence[str]:
+        return [*VECTORS["force"], *VECTORS["moment"]]
 
     @property
     def force(self) -> Array:
@@ -121,12 +162,13 @@ class Reaction:
         return self._columns.vector(self.name, "moment")
 
 
-class JointMotion:
+class JointMotion(View):
     """Joint coordinates and their rates: `angle` and `rate`, or `displacement` and `speed`, by the kind of joint."""
 
-    def __init__(self, columns: Columns, name: str) -> None:
-        """View the columns of the joint with a name."""
-        self._columns, self.name = columns, name
+    kind = "JointMotion"
+
+    def _suffixes(self) -> Sequence[str]:
+        return JOINT_COORDINATES
 
     def __getattr__(self, quantity: str) -> Array:
         if quantity.startswith("_"):
@@ -140,12 +182,17 @@ class JointMotion:
         return [of for of in JOINT_COORDINATES if f"{self.name}.{of}" in self._columns]
 
 
-class Energy:
+class Energy(View):
     """Energies of the whole model and the energy balance, force × length."""
+
+    kind = "Energy"
 
     def __init__(self, columns: Columns) -> None:
         """View the energy columns."""
-        self._columns = columns
+        super().__init__(columns, "")
+
+    def _own(self) -> dict[str, str]:
+        return {name: name for name in ENERGIES if name in self._columns}
 
     @property
     def kinetic(self) -> Array:

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
+from ancf.display.tables import Table, representation, titled
 from ancf.graphics.style import grid, style
 from ancf.record.suggestion import unknown_name
 from ancf.studies.convergence import convergence
@@ -15,6 +18,9 @@ if TYPE_CHECKING:
 
     import pandas as pd
     from matplotlib.axes import Axes
+
+MAX_SHOWN = 20
+"""Maximum number of cases in the representation of a study."""
 
 
 class Study:
@@ -70,7 +76,6 @@ class Study:
     def plot(self, objective: str | None = None, parameter: str | None = None) -> list[Axes]:
         """Plot one or all objectives over one or all parameters: a dot for each case, a line for a single parameter."""
         import matplotlib.pyplot as plt
-        import numpy as np
 
         down = self.objectives if objective is None else [objective]
         across = self.parameters if parameter is None else [parameter]
@@ -102,5 +107,32 @@ class Study:
         return len(self.table)
 
     def __repr__(self) -> str:
-        counts = ", ".join(f"{n} {outcome}" for outcome, n in self.table["outcome"].value_counts().items())
-        return f"Study({counts}; parameters: {self.parameters}; objectives: {self.objectives})"
+        lines = [f"Study: {self._counts()}", self._shown().text("  "), self._omitted()]
+        return "\n".join(line for line in lines if line)
+
+    def _repr_html_(self) -> str:
+        note = f'<p class="faint">{self._omitted()}</p>' if self._omitted() else ""
+        return representation([titled("Study", self._counts()), self._shown().html(), note])
+
+    def _counts(self) -> str:
+        """Return the number of cases by their outcome."""
+        return ", ".join(f"{n} {outcome}" for outcome, n in self.table["outcome"].value_counts().items())
+
+    def _shown(self) -> Table:
+        """Return the first cases with parameters, objectives, outcome and messages."""
+        rows = self.table.head(MAX_SHOWN)
+        notes = ["outcome", *(["message"] if rows["message"].notna().any() else [])]
+        shown = ["case", *self.parameters, *self.objectives, *notes]
+        cells = [[cell(value) for value in row] for row in rows[shown].itertuples(index=False)]
+        return Table(shown, cells, names=0, notes=len(notes))
+
+    def _omitted(self) -> str:
+        more = len(self) - MAX_SHOWN
+        return f"{more} more case{'s' * (more > 1)} in Study.table" if more > 0 else ""
+
+
+def cell(value: object) -> str:
+    """Return the text of a value of a table. Missing values are empty."""
+    if value is None or value != value:
+        return ""
+    return f"{value:.6g}" if isinstance(value, float | np.floating) else str(value)

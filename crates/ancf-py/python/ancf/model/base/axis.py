@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import Literal
+from collections.abc import Sequence
+from typing import ClassVar, Literal
 
 from ancf.model.base.part import Part, Vector
 from ancf.model.base.places import Place
@@ -14,6 +15,7 @@ class Axis(Part):
     """A body with an axis on which places are given by arc length."""
 
     __slots__ = ()
+    _places: ClassVar[Sequence[str]] = ("start", "end", "at(s)")
 
     name: str
 
@@ -45,6 +47,7 @@ class Frame(Part):
     """A rigid body. Each of its points is a place."""
 
     __slots__ = ()
+    _places: ClassVar[Sequence[str]] = ("at()", "at(point)")
 
     name: str
 
@@ -66,6 +69,7 @@ class Point(Part):
     """A body without extent."""
 
     __slots__ = ()
+    _places: ClassVar[Sequence[str]] = ("at()",)
 
     name: str
 

@@ -6,13 +6,24 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import ClassVar, Literal, TypeAlias
 
+from ancf.model.base.arguments import checked_arguments
 from ancf.model.base.part import Numbers, Part
 
-__all__ = ["Expression", "ExternalFunction", "Ramp", "Sine", "Step", "Table", "TimeFunction", "Varying"]
+__all__ = [
+    "Expression",
+    "ExternalFunction",
+    "Ramp",
+    "Sine",
+    "StepFunction",
+    "TimeFunction",
+    "TimeTable",
+    "VaryingFunction",
+]
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
-class Table(Part):
+class TimeTable(Part):
     """Linear interpolation between points, constant before the first and after the last.
 
     Attributes
@@ -32,6 +43,7 @@ class Table(Part):
     values: Numbers
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Ramp(Part):
     """Ramp: 0 until the start, linear up to 1 at the end, then 1.
@@ -53,8 +65,9 @@ class Ramp(Part):
     start: float | None = None
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
-class Step(Part):
+class StepFunction(Part):
     """Step from 0 to 1, and back to 0 if stated.
 
     Attributes
@@ -74,6 +87,7 @@ class Step(Part):
     until: float | None = None
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Sine(Part):
     """Sine: sin(2π f t + φ).
@@ -95,6 +109,7 @@ class Sine(Part):
     phase: float | None = None
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Expression(Part):
     """Formula in t.
@@ -116,6 +131,7 @@ class Expression(Part):
     unit: float | None = None
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class ExternalFunction(Part):
     """External function, which the calling program supplies by name. The command line supplies none.
@@ -137,10 +153,10 @@ class ExternalFunction(Part):
     unit: float | None = None
 
 
-Varying: TypeAlias = Table | Ramp | Step | Sine | Expression | ExternalFunction
+VaryingFunction: TypeAlias = TimeTable | Ramp | StepFunction | Sine | Expression | ExternalFunction
 """Variation of a function in time. All values are pure numbers."""
 
-TimeFunction: TypeAlias = float | Varying | Callable[[float], float | tuple[float, float, float]]
+TimeFunction: TypeAlias = float | VaryingFunction | Callable[[float], float | tuple[float, float, float]]
 """Function of time that multiplies a load or the motion of a drive: a constant or a varying function.
 
 Or a Python function of time that returns the value, or value, rate and acceleration.

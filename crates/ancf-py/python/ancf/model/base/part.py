@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ancf import _ancf
+from ancf.model.base.arguments import checked_arguments, label
 from ancf.model.base.tables import Tables
 
 __all__ = ["ForceFunction", "Numbers", "Part", "Points", "Shared", "Vector"]
@@ -51,6 +52,8 @@ class Part:
     _tables: ClassVar[Mapping[str, str]] = {}
     # Attributes that are not keys of the schema.
     _own: ClassVar[frozenset[str]] = frozenset()
+    # Expressions for places on the part after its name.
+    _places: ClassVar[Sequence[str]] = ()
 
     def __post_init__(self) -> None:
         hints = _hints(type(self))
@@ -58,8 +61,18 @@ class Part:
             misplaced(hints[name], value, name) for name, value in self._given().items() if name in hints
         ]
         if any(found):
-            raise TypeError("\n".join(filter(None, found)))
-        _ancf.check_part(self._form, self.to_dict())
+            raise TypeError(
+                "\n".join(self._prefixed(line) for text in filter(None, found) for line in text.splitlines())
+            )
+        _ancf.check_part(self._form, self.to_dict(), self._label())
+
+    def _label(self) -> str | None:
+        """Return the class and the name of the part for messages."""
+        return label(type(self).__name__, getattr(self, "name", None))
+
+    def _prefixed(self, message: str) -> str:
+        part = self._label()
+        return message if part is None else f"{part}: {message}"
 
     def to_dict(self) -> dict[str, Any]:
         """Return plain data as in a model file. Omitted keys stay omitted, callables stay callables."""
@@ -114,6 +127,7 @@ class Part:
         return f"{type(self).__name__}({', '.join(items)})"
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Shared(Part):
     """A part to which others refer by name. The name is its key in a table of the model.
@@ -162,13 +176,15 @@ def typed(hint: Any, data: Any) -> Any:
 
 
 def misplaced(hint: Any, value: Any, path: str) -> str | None:
-    """Describe the parts of other classes than a type hint allows."""
+    """Describe the parts of other classes than a type hint allows, and values instead of parts."""
     arms = _arms(hint)
+    wanted = _parts(arms)
     if isinstance(value, Part):
-        wanted = _parts(arms)
-        if not wanted or isinstance(value, wanted):
-            return None
-        return f"{path}: found a {type(value).__name__}, wanted a {' or '.join(part.__name__ for part in wanted)}"
+        return _misplaced_part(arms, value, path)
+    if wanted and isinstance(value, str | int | float) and not _accepts(arms, value):
+        words = [repr(word) for arm in arms for word in _words(arm)]
+        near = [f'Place("{value}", "end")'] if _is_place(wanted) and isinstance(value, str) else []
+        return f"{path}: found {value!r}, wanted {alternatives([*words, *_classes(wanted)])}{meant(near)}"
     lines: list[str | None] = []
     for arm in arms:
         # The engine checks numbers.
@@ -183,6 +199,71 @@ def misplaced(hint: Any, value: Any, path: str) -> str | None:
             item = typing.get_args(arm)[1]
             lines += [misplaced(item, part, f"{path}.{key}") for key, part in value.items()]
     return "\n".join(filter(None, lines)) or None
+
+
+def _misplaced_part(arms: tuple[Any, ...], value: Part, path: str) -> str | None:
+    """Describe a part of another class than the alternatives of a type hint."""
+    wanted = _parts(arms)
+    found = f"{path}: found {with_article(type(value))}, wanted"
+    if not wanted:
+        is_list = any(
+            typing.get_origin(arm) is Sequence and _parts(_arms(typing.get_args(arm)[0])) for arm in arms
+        )
+        return f"{found} a list of parts{meant([f'{path}=[...]'])}" if is_list else None
+    if isinstance(value, wanted):
+        return None
+    near = _places_on(value) if _is_place(wanted) else []
+    return f"{found} {alternatives(_classes(wanted))}{meant(near)}"
+
+
+def _is_place(parts: Sequence[type[Part]]) -> bool:
+    """Return True if a place on a body is among the classes."""
+    return any(part.__name__ == "Place" for part in parts)
+
+
+def _accepts(arms: tuple[Any, ...], value: object) -> bool:
+    """Return True if a text or a number is among the alternatives of a type hint. The engine checks its value."""
+    if isinstance(value, str):
+        return str in arms or any(value in _words(arm) for arm in arms) or not all(map(_is_certain, arms))
+    return float in arms or int in arms or bool in arms or not all(map(_is_certain, arms))
+
+
+def _is_certain(arm: Any) -> bool:
+    """Return True for a class of parts, for words and for None."""
+    return arm is types.NoneType or typing.get_origin(arm) is typing.Literal or bool(_parts((arm,)))
+
+
+def _words(arm: Any) -> tuple[Any, ...]:
+    """Return the words of a type hint."""
+    return typing.get_args(arm) if typing.get_origin(arm) is typing.Literal else ()
+
+
+def meant(near: Sequence[str]) -> str:
+    """Return a hint with texts that were probably meant."""
+    return f"; did you mean {alternatives(near)}?" if near else ""
+
+
+def _classes(parts: Sequence[type[Part]]) -> list[str]:
+    """Return the names of classes, the first with an article."""
+    return [with_article(parts[0]), *(part.__name__ for part in parts[1:])]
+
+
+def with_article(part: type[Part]) -> str:
+    """Return the name of a class with an article."""
+    return f"{'an' if part.__name__[0] in 'AEIO' else 'a'} {part.__name__}"
+
+
+def alternatives(items: Sequence[str]) -> str:
+    """Return texts separated by commas and `or`."""
+    *first, last = items
+    return f"{', '.join(first)} or {last}" if first else last
+
+
+def _places_on(part: Part) -> list[str]:
+    """Return expressions for the places on a body, with its name as variable if possible."""
+    name = getattr(part, "name", None)
+    variable = name if isinstance(name, str) and name.isidentifier() else type(part).__name__.lower()
+    return [f"{variable}.{place}" for place in part._places]
 
 
 def same(one: Any, other: Any) -> bool:

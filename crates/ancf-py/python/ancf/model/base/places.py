@@ -5,9 +5,10 @@
 from dataclasses import dataclass, field
 from typing import Literal, TypeAlias
 
+from ancf.model.base.arguments import checked_arguments
 from ancf.model.base.part import Part, Vector
 
-__all__ = ["At", "End", "Ground", "NamedPosition", "Place"]
+__all__ = ["Ground", "JointEnd", "NamedPosition", "Place", "Position"]
 
 NamedPosition: TypeAlias = Literal["start", "center", "end"]
 """Named positions.
@@ -17,7 +18,7 @@ NamedPosition: TypeAlias = Literal["start", "center", "end"]
 * ``"end"``: End of the axis.
 """
 
-At: TypeAlias = NamedPosition | float | Vector
+Position: TypeAlias = NamedPosition | float | Vector
 """Position on a body.
 
 On a beam or a cable: ``"start"``, ``"center"``, ``"end"`` or the arc length from the start. On a rigid body:
@@ -25,6 +26,7 @@ On a beam or a cable: ``"start"``, ``"center"``, ``"end"`` or the arc length fro
 """
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Place(Part):
     """Point of a body.
@@ -44,10 +46,11 @@ class Place(Part):
     _form = "Place"
 
     body: str = field(kw_only=False)
-    at: At = field(kw_only=False)
+    at: Position = field(kw_only=False)
     offset: Vector | None = None
 
 
+@checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Ground(Part):
     """Point of the fixed frame.
@@ -64,7 +67,7 @@ class Ground(Part):
     point: Vector
 
 
-End: TypeAlias = Literal["ground"] | Place | Ground
+JointEnd: TypeAlias = Literal["ground"] | Place | Ground
 """Second end of a joint.
 
 * ``"ground"``: Fixed frame: ``"ground"``.

@@ -9,8 +9,9 @@ import numpy as np
 from ancf import _ancf
 from ancf.graphics.frames import require_int
 from ancf.graphics.lines import Lines
+from ancf.graphics.quantities import quantity
+from ancf.graphics.space.surface import Outlines, Surface
 from ancf.graphics.style import COLOURS
-from ancf.graphics.surface import Outlines, Surface
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
@@ -43,12 +44,14 @@ class Scene:
         """Compute the surfaces of `Result.scene`. Their minimum thickness is `least` times the size of the model."""
         require_int("sides", sides, 3)
         self.result, self.color = result, color
-        self.geometry = _ancf.ModelGeometry(result.states)
         self.lines = Lines(result, parts)
+        self.geometry = self.lines.geometry
         self.scale = scale
         self.directors = result.field("directors", parts=parts)
-        self.values = None if color is None else self.lines.values(result, color, parts)
-        """Values to colour by, `[frame, station]`."""
+        self.quantity = None if color is None else quantity(result, color, parts)
+        """Quantity to colour by."""
+        self.factor = 1.0
+        """Factor of the values, for a unit with a prefix."""
         self.model: Mapping[str, Any] = result.model
         self.sides, self._least = sides, least * self.lines.size
         self.surfaces = [*self._bodies(), *self._arms(), *self._obstacles()]
@@ -92,9 +95,16 @@ class Scene:
 
     def joints(self, row: int) -> dict[str, Array]:
         """Return the positions of joints in a frame by name: those of their ends `a`."""
-        scale = self.lines.scale(row) if self.scale is None else self.scale
-        names, positions = self.geometry.joints(row, scale, self.lines.modal)
-        return dict(zip(names, positions, strict=True))
+        return self.symbols(row)["joint"]
+
+    def symbols(self, row: int, scale: float | None = None) -> dict[str, dict[str, Array]]:
+        """Return the positions of joints, probes and loads in a frame, by kind and name."""
+        return self.lines.symbols(row, self.factor_of(row, scale))
+
+    def factor_of(self, row: int, scale: float | None = None) -> float:
+        """Return the factor of deflections in a frame."""
+        scale = self.scale if scale is None else scale
+        return self.lines.scale(row) if scale is None else scale
 
     def move(self, mesh: PolyData, row: int, scale: float | None = None) -> None:
         """Move a mesh of this scene to another frame."""
@@ -102,8 +112,9 @@ class Scene:
         self._set_values(mesh, row)
 
     def _set_values(self, mesh: PolyData, row: int) -> None:
-        if self.values is not None and self.color is not None:
-            mesh.point_data[self.color] = np.append(self.values[row], np.nan)[self._owners]
+        if self.quantity is not None and self.color is not None:
+            values = np.append(self.factor * self.quantity.values[row], np.nan)
+            mesh.point_data[self.color] = values[self._owners]
         mesh.compute_normals(cell_normals=False, split_vertices=False, consistent_normals=False, inplace=True)
 
     def _aligned(self, directors: Array, positions: Array) -> Array:

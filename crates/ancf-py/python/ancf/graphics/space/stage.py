@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from importlib.util import find_spec
 from pathlib import Path
+from textwrap import fill
 from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
@@ -15,9 +16,9 @@ from ancf.graphics.frames import (
     frames_of_animation,
     require_frames,
 )
-from ancf.graphics.scene import Scene
-from ancf.graphics.shapes import quantity_label
-from ancf.graphics.style import colour_limits, colour_map
+from ancf.graphics.space.scene import Scene
+from ancf.graphics.space.symbols import COLOURS, OPACITIES, Symbols
+from ancf.graphics.style import colour_map
 from ancf.graphics.view import View
 from ancf.record.result_data import ResultData
 
@@ -31,7 +32,7 @@ if TYPE_CHECKING:
 FILL = 0.86
 """Fraction of the image that the scene fills."""
 
-FILL_BESIDE_BAR = 0.74
+FILL_BESIDE_BAR = 0.7
 """Fraction of the width that the scene fills beside a colour bar."""
 
 FPS = 25
@@ -46,16 +47,19 @@ MAX_EXTENT_FRAMES = 60
 LIGHT = {"smooth_shading": True, "ambient": 0.35, "diffuse": 0.75, "specular": 0.1}
 """Reflection of surfaces."""
 
+TITLE_WIDTH = 14
+"""Maximum number of characters in a line of the title of a colour bar."""
+
 COLOUR_BAR = {
     "vertical": True,
-    "position_x": 0.88,
+    "position_x": 0.86,
     "position_y": 0.2,
-    "height": 0.6,
+    "height": 0.55,
     "width": 0.06,
     "n_labels": 5,
     "fmt": "%.3g",
     "color": "black",
-    "title_font_size": 18,
+    "title_font_size": 16,
     "label_font_size": 14,
 }
 
@@ -109,6 +113,7 @@ class Scenes(ResultData):
         movie: str | os.PathLike[str] | None = None,
         seconds: float = 5.0,
         labels: bool = False,
+        symbols: bool = True,
         view: str | None = None,
         size: tuple[int, int] = (1024, 768),
         scale: float | None = None,
@@ -139,7 +144,9 @@ class Scenes(ResultData):
         seconds
             Duration of the animation.
         labels
-            True to show the names of joints.
+            True to show the names of joints with their forces, and of probes.
+        symbols
+            True to show joints, supports on the ground, springs and rods, probes, gravity, reaction forces and planes.
         view
             `xy`, `xz`, `yz` or `iso`; by default chosen from the extents of the model.
         size
@@ -161,7 +168,7 @@ class Scenes(ResultData):
         scene = Scene(self, color=quantity, scale=scale, parts=parts, sides=sides, least=MIN_THICKNESS)
         row = frame_numbers(self, frame, time)[0]
         is_hidden = screenshot is not None or movie is not None
-        stage = Stage(scene, row, size=size, hidden=is_hidden)
+        stage = Stage(scene, row, size=size, hidden=is_hidden, symbols=symbols)
         is_moving = animate or movie is not None
         stage.fill(view=view, paint=None if quantity else color, labels=labels, moving=is_moving)
         if screenshot is not None:
@@ -177,12 +184,15 @@ class Scenes(ResultData):
 class Stage:
     """A plotter of PyVista with a scene."""
 
-    def __init__(self, scene: Scene, row: int, *, size: tuple[int, int], hidden: bool) -> None:
+    def __init__(
+        self, scene: Scene, row: int, *, size: tuple[int, int], hidden: bool, symbols: bool = True
+    ) -> None:
         """Create a plotter for a scene in a frame. A `hidden` plotter only writes files."""
         import pyvista as pv
 
         self.scene, self.row = scene, row
         self.mesh = scene.mesh(row)
+        self._has_symbols = symbols
         # Decorators hide the types of PyVista's methods.
         self.plotter = cast("Any", pv.Plotter(off_screen=hidden or None, window_size=list(size)))
         self.plotter.set_background("white")
@@ -191,30 +201,36 @@ class Stage:
 
     def fill(self, *, view: str | None, paint: str | None, labels: bool, moving: bool) -> None:
         """Add the scene. A `moving` scene has camera and colour scale for all frames."""
+        extent = self.scene.lines.path.reshape(-1, 3) if moving else np.asarray(self.mesh.points)
+        self.symbols = Symbols(self.scene, extent)
+        self.shown = self.symbols.meshes(self.row) if self._has_symbols else {}
         self.plotter.add_mesh(self.mesh, **self._colours(paint, moving), **LIGHT)
+        for group, mesh in self.shown.items():
+            look = {"color": COLOURS[group], "opacity": OPACITIES.get(group, 1.0)}
+            self.plotter.add_mesh(mesh, **look, **LIGHT)
         text = frame_label(self.scene.result, self.row)
         self.title = self.plotter.add_text(text, position="upper_left", font_size=10, color="black")
         self.plotter.add_axes(color="black")
         if labels:
-            self._add_joint_names()
+            self._add_labels()
         self._set_camera(view, moving)
 
     def _colours(self, paint: str | None, moving: bool) -> dict[str, Any]:
         """Return the colour options of the mesh."""
         if paint is not None:
             return {"color": paint}
-        if self.scene.values is None:
+        quantity = self.scene.quantity
+        if quantity is None:
             return {"scalars": "shade", "rgb": True}
-        limits = colour_limits(self.scene.values if moving else self.scene.values[self.row])
+        limits = quantity.limits(quantity.values if moving else quantity.values[self.row])
+        self.scene.factor, label = quantity.scaled(limits)
+        self.scene.move(self.mesh, self.row)
         return {
             "scalars": self.scene.color,
-            "clim": list(limits),
-            "cmap": colour_map(*limits),
+            "clim": [self.scene.factor * end for end in limits],
+            "cmap": colour_map(quantity.colour_map),
             "nan_color": "#b0b0b0",
-            "scalar_bar_args": {
-                "title": f"{quantity_label(self.scene.result, self.scene.color)}\n",
-                **COLOUR_BAR,
-            },
+            "scalar_bar_args": {"title": f"{fill(label, TITLE_WIDTH)}\n", **COLOUR_BAR},
         }
 
     def write_image(self, path: str | os.PathLike[str]) -> None:
@@ -264,6 +280,11 @@ class Stage:
         """Move the scene to another frame."""
         self.row = row
         self.scene.move(self.mesh, row, scale)
+        if self.shown:
+            for group, mesh in self.symbols.meshes(row, scale).items():
+                # A group may be missing in the first frame, such as the arrow of a force that was zero.
+                if group in self.shown:
+                    self.shown[group].copy_from(mesh)
         self.title.set_text("upper_left", frame_label(self.scene.result, row))
 
     def _frames(self, seconds: float) -> list[tuple[int, float | None]]:
@@ -285,9 +306,13 @@ class Stage:
         """Return the points that determine the camera position."""
         scene, count = self.scene, len(self.scene.result.frames)
         if scene.lines.modal or not moving:
-            return np.asarray(self.mesh.points)
+            return np.concatenate([self.mesh.points, self._symbol_points(self.row)])
         every = range(0, count, max(1, count // MAX_EXTENT_FRAMES))
-        return np.concatenate([scene.points(row) for row in (*every, count - 1)])
+        points = [(scene.points(row), self._symbol_points(row)) for row in (*every, count - 1)]
+        return np.concatenate([own for pair in points for own in pair])
+
+    def _symbol_points(self, row: int) -> Array:
+        return self.symbols.points(row) if self.shown else np.empty((0, 3))
 
     def _set_camera(self, view: str | None, moving: bool) -> None:
         """Set direction and distance of the camera so that all points are visible beside the colour bar."""
@@ -309,7 +334,7 @@ class Stage:
         low, high = (points @ axes.T).min(0), (points @ axes.T).max(0)
         half, middle = (high - low) / 2, (high + low) / 2
         width, height = self.plotter.window_size
-        fill = FILL if self.scene.values is None else FILL_BESIDE_BAR
+        fill = FILL if self.scene.quantity is None else FILL_BESIDE_BAR
         scale = max(half[1] / FILL, half[0] / fill * height / width) or 1.0
         middle[0] += (FILL - fill) * scale * width / height
         camera.focal_point = middle @ axes
@@ -317,9 +342,9 @@ class Stage:
         camera.parallel_scale = scale
         self.plotter.reset_camera_clipping_range()
 
-    def _add_joint_names(self) -> None:
-        """Add the names of the joints at their positions."""
-        named = self.scene.joints(self.row)
+    def _add_labels(self) -> None:
+        """Add the names of joints with their forces, and of probes, at their positions."""
+        named = self.symbols.labels(self.row)
         if named:
             look = {"font_size": 13, "bold": False, "text_color": "black", "shape_color": "white"}
             positions = np.array(list(named.values()))

@@ -1,0 +1,1 @@
+"""Representations of objects: numbers with units, tables as text and as HTML."""

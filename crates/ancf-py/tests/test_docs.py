@@ -31,7 +31,7 @@ TESTED_BY = {
     "python": "run here, page by page, in one namespace a page",
     "sh": "run here by a shell, in the same folder",
     "toml": "written here to the file that its first line names, for the blocks after it; models are checked; those of "
-    "docs/model-file.md are read by crates/ancf/tests/it/model_files/models.rs",
+    "docs/model-file are read by crates/ancf/tests/it/model_files/models.rs",
     "rust": "equal to a file in crates/ancf/examples, which is run here",
     "{code-cell}": "run by the build of the site, which fails if a cell does",
     "text": "not code: what is printed, drawings",
@@ -136,7 +136,7 @@ def test_blocks_run(page: Path, folder: Path) -> None:
             exec(compile(code, page, "exec"), space)
         elif block.language == "sh":
             run(block)
-        elif block.language == "toml" and page.name != "model-file.md":
+        elif block.language == "toml" and "model-file" not in {page.stem, page.parent.name}:
             write(block, folder)
 
 

@@ -34,7 +34,10 @@ TESTED_BY = {
     "docs/model-file are read by crates/ancf/tests/it/model_files/models.rs",
     "rust": "equal to a file in crates/ancf/examples, which is run here",
     "{code-cell}": "run by the build of the site, which fails if a cell does",
-    "text": "not code: what is printed, drawings",
+    "text": "not code: output, drawings, input files of other programs",
+    "cpp": "code of another program, for comparison",
+    "py": "code of another program, for comparison",
+    "xml": "input of another program, for comparison",
     "{toctree}": "not code",
     "{eval-rst}": "not code: names for autodoc, which fails if they are not there",
 }
@@ -213,6 +216,7 @@ def test_index_pages_are_complete() -> None:
         ("decisions/index.md", "[0-9]*.md"),
         ("notebooks/index.md", "*.ipynb"),
         ("howto/index.md", "*.md"),
+        ("coming-from/index.md", "*.md"),
     ]:
         text = (DOCS / page).read_text(encoding="utf-8")
         for file in (DOCS / page).parent.glob(files):
@@ -229,3 +233,16 @@ def test_index_pages_are_complete() -> None:
 
 def test_there_are_five_notebooks() -> None:
     assert len(NOTEBOOKS) >= 5
+
+
+def test_the_gallery_has_all_models() -> None:
+    text = (DOCS / "gallery.md").read_text(encoding="utf-8")
+    for model in (ROOT / "models").glob("*.toml"):
+        assert f"(../models/{model.name})" in text, f"docs/gallery.md does not name {model.name}"
+
+
+def test_the_readme_is_short_and_states_two_commands() -> None:
+    text = (ROOT / "README.md").read_text(encoding="utf-8")
+    assert len(text.splitlines()) < 150
+    assert "cargo run --release -- paper" in text
+    assert "cargo xtask test" in text

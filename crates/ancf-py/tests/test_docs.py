@@ -226,9 +226,11 @@ def test_index_pages_are_complete() -> None:
     sources = (ROOT / "verification/src/problems").rglob("*.rs")
     text = "".join(source.read_text(encoding="utf-8") for source in sources)
     problems = re.findall(r'Problem \{\s*name: "(\w+)"', text)
-    named = re.findall(r"^\| \[`(\w+)`\]", (DOCS / "verification.md").read_text(encoding="utf-8"), re.M)
+    pages = [page.read_text(encoding="utf-8") for page in (DOCS / "verification").glob("*.md")]
+    named = re.findall(r"^\| \[`(\w+)`\]", "".join(pages), re.M)
     assert len(problems) >= 60
     assert sorted(named) == sorted(problems)
+    assert f"verification: {len(problems)} problems" in (ROOT / "README.md").read_text(encoding="utf-8")
 
 
 def test_there_are_five_notebooks() -> None:

@@ -47,7 +47,12 @@ napoleon_use_ivar = True
 
 DOCS = Path(__file__).parent
 ROOT = DOCS.parent
-ELSEWHERE = {"architecture": "ARCHITECTURE.md", "contributing": "CONTRIBUTING.md", "changes": "CHANGELOG.md"}
+ELSEWHERE = {
+    "architecture": "ARCHITECTURE.md",
+    "contributing": "CONTRIBUTING.md",
+    "changes": "CHANGELOG.md",
+    "security": "SECURITY.md",
+}
 """Pages whose text is a file at the root. The page of the same name in `docs` only links to it."""
 
 

@@ -18,8 +18,8 @@ cargo xtask test            all tests: format, layers, lints, tests, documentati
 cargo xtask layers          module structure by layers.toml: folders, imports, cycles, sizes; --tree PATH, --root DIR
 cargo xtask python          the Python package alone: installed, checked, tested, its site built
 cargo xtask docs            the documentation site, into target/site
-cargo xtask schema          docs/model.schema.json, the Python classes and the tables of docs/model-file.md, after a change
-                            of the model types
+cargo xtask schema          docs/model.schema.json, the Python classes and the key tables of the documentation, after a
+                            change of the model types
 cargo xtask viewer          the viewer of results, built into the crate that embeds it
 cargo xtask deny            licences, sources, duplicates and known vulnerabilities of dependencies, by deny.toml
 cargo xtask fuzz [SECONDS]  random input for the readers of models and formulas, 600 s each by default

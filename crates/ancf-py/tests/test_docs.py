@@ -31,10 +31,13 @@ TESTED_BY = {
     "python": "run here, page by page, in one namespace a page",
     "sh": "run here by a shell, in the same folder",
     "toml": "written here to the file that its first line names, for the blocks after it; models are checked; those of "
-    "docs/model-file.md are read by crates/ancf/tests/it/model_files/models.rs",
+    "docs/model-file are read by crates/ancf/tests/it/model_files/models.rs",
     "rust": "equal to a file in crates/ancf/examples, which is run here",
     "{code-cell}": "run by the build of the site, which fails if a cell does",
-    "text": "not code: what is printed, drawings",
+    "text": "not code: output, drawings, input files of other programs",
+    "cpp": "code of another program, for comparison",
+    "py": "code of another program, for comparison",
+    "xml": "input of another program, for comparison",
     "{toctree}": "not code",
     "{eval-rst}": "not code: names for autodoc, which fails if they are not there",
 }
@@ -138,7 +141,7 @@ def test_blocks_run(page: Path, folder: Path) -> None:
             exec(compile(code, page, "exec"), space)
         elif block.language == "sh":
             run(block)
-        elif block.language == "toml" and page.name != "model-file.md":
+        elif block.language == "toml" and "model-file" not in {page.stem, page.parent.name}:
             write(block, folder)
 
 
@@ -215,6 +218,7 @@ def test_index_pages_are_complete() -> None:
         ("decisions/index.md", "[0-9]*.md"),
         ("notebooks/index.md", "*.ipynb"),
         ("howto/index.md", "*.md"),
+        ("coming-from/index.md", "*.md"),
     ]:
         text = (DOCS / page).read_text(encoding="utf-8")
         for file in (DOCS / page).parent.glob(files):
@@ -224,10 +228,25 @@ def test_index_pages_are_complete() -> None:
     sources = (ROOT / "verification/src/problems").rglob("*.rs")
     text = "".join(source.read_text(encoding="utf-8") for source in sources)
     problems = re.findall(r'Problem \{\s*name: "(\w+)"', text)
-    named = re.findall(r"^\| \[`(\w+)`\]", (DOCS / "verification.md").read_text(encoding="utf-8"), re.M)
+    pages = [page.read_text(encoding="utf-8") for page in (DOCS / "verification").glob("*.md")]
+    named = re.findall(r"^\| \[`(\w+)`\]", "".join(pages), re.M)
     assert len(problems) >= 60
     assert sorted(named) == sorted(problems)
+    assert f"verification: {len(problems)} problems" in (ROOT / "README.md").read_text(encoding="utf-8")
 
 
 def test_there_are_five_notebooks() -> None:
     assert len(NOTEBOOKS) >= 5
+
+
+def test_the_gallery_has_all_models() -> None:
+    text = (DOCS / "gallery.md").read_text(encoding="utf-8")
+    for model in (ROOT / "models").glob("*.toml"):
+        assert f"(../models/{model.name})" in text, f"docs/gallery.md does not name {model.name}"
+
+
+def test_the_readme_is_short_and_states_two_commands() -> None:
+    text = (ROOT / "README.md").read_text(encoding="utf-8")
+    assert len(text.splitlines()) < 150
+    assert "cargo run --release -- paper" in text
+    assert "cargo xtask test" in text

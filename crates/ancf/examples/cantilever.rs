@@ -1,4 +1,4 @@
-//! The README's example: the cantilever of Kim et al. (2017), from the root of the repository.
+//! First program of `docs/extending.md`: the cantilever of Kim et al. (2017), from the root of the repository.
 #![expect(clippy::print_stdout, reason = "an example says what it found")]
 
 use ancf::record::Series;

@@ -1,4 +1,4 @@
-//! Tables of the keys of model files in `docs/model-file.md`, generated from the JSON Schema.
+//! Tables of the keys of model files in `docs/model-file.md` and `docs/model-file`, generated from the JSON Schema.
 //!
 //! A line `<!-- keys: Joint revolute -->` starts a table of the form `revolute` of the definition `Joint`, and `<!-- end -->` ends
 //! it. Without a form the table has all tagged forms of the definition. `only a b` and `without a b` select keys.
@@ -17,51 +17,61 @@ use crate::system::shell::Done;
 const START: &str = "<!-- keys: ";
 const END: &str = "<!-- end -->";
 
-/// Sections of the document about definitions: definition, text of the link, section.
+/// Descriptions of definitions: definition, text of the link, page in `docs/model-file` with its section.
 const LINKS: [(&str, &str, &str); 24] = [
-    ("ContactSurface", "obstacle", "contacts"),
-    ("Analysis", "analysis", "analysis"),
-    ("AngularDrive", "drive", "drives-springs-and-friction-of-joints"),
-    ("AngularFriction", "friction", "drives-springs-and-friction-of-joints"),
-    ("AngularSpring", "spring", "drives-springs-and-friction-of-joints"),
-    ("Body", "body", "bodies"),
-    ("Contact", "contact", "contacts"),
-    ("Coupling", "coupling", "couplings"),
-    ("Formulation", "formulation", "formulations"),
-    ("InitialMotion", "initial motion", "initial-motion"),
-    ("Joint", "joint", "joints"),
-    ("LinearDrive", "drive", "drives-springs-and-friction-of-joints"),
-    ("LinearFriction", "friction", "drives-springs-and-friction-of-joints"),
-    ("LinearSpring", "spring", "drives-springs-and-friction-of-joints"),
-    ("Load", "load", "loads"),
-    ("Material", "material", "materialsname"),
-    ("Output", "output", "output"),
-    ("Place", "place", "places"),
-    ("Probe", "probe", "probes"),
-    ("ScaleChoice", "scales", "scales"),
-    ("Section", "section", "sectionsname"),
-    ("Shape", "shape", "shapes"),
-    ("Stop", "criterion", "convergence-criteria"),
-    ("TimeFunction", "function of time", "functions-of-time"),
+    ("ContactSurface", "obstacle", "contacts.md#obstacles"),
+    ("Analysis", "analysis", "analysis.md"),
+    ("AngularDrive", "drive", "drives.md"),
+    ("AngularFriction", "friction", "drives.md"),
+    ("AngularSpring", "spring", "drives.md"),
+    ("Body", "body", "bodies.md"),
+    ("Contact", "contact", "contacts.md"),
+    ("Coupling", "coupling", "drives.md#couplings"),
+    ("Formulation", "formulation", "bodies.md#formulations"),
+    ("InitialMotion", "initial motion", "bodies.md#initial-motion"),
+    ("Joint", "joint", "joints.md"),
+    ("LinearDrive", "drive", "drives.md"),
+    ("LinearFriction", "friction", "drives.md"),
+    ("LinearSpring", "spring", "drives.md"),
+    ("Load", "load", "loads.md"),
+    ("Material", "material", "materials.md#materialsname"),
+    ("Output", "output", "output.md#output"),
+    ("Place", "place", "places.md"),
+    ("Probe", "probe", "output.md#probes"),
+    ("ScaleChoice", "scales", "analysis.md#scales"),
+    ("Section", "section", "materials.md#sectionsname"),
+    ("Shape", "shape", "bodies.md#shapes"),
+    ("Stop", "criterion", "analysis.md#convergence-criteria"),
+    ("TimeFunction", "function of time", "functions.md"),
 ];
 
-fn document() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/model-file.md")
+/// Pages with tables: the overview, and a page per section.
+fn pages() -> Result<Vec<PathBuf>, String> {
+    let overview = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/model-file.md");
+    let folder = overview.with_extension("");
+    let entries = fs::read_dir(&folder).map_err(|error| format!("{}: {error}", folder.display()))?;
+    let sections = entries.filter_map(|entry| Some(entry.ok()?.path()));
+    let mut pages: Vec<_> = sections.filter(|path| path.extension().is_some_and(|end| end == "md")).collect();
+    pages.push(overview);
+    pages.sort();
+    Ok(pages)
 }
 
-/// Writes the tables of the document.
+/// Writes the tables of all pages.
 pub(crate) fn write(schema: &str) -> Done {
-    let path = document();
-    let wrong = |error| format!("{}: {error}", path.display());
-    let text = fs::read_to_string(&path).map_err(wrong)?;
-    fs::write(&path, refreshed(&text, schema)?).map_err(wrong)
+    for page in pages()? {
+        let wrong = |error| format!("{}: {error}", page.display());
+        let text = fs::read_to_string(&page).map_err(wrong)?;
+        fs::write(&page, refreshed(&page, &text, schema)?).map_err(wrong)?;
+    }
+    Ok(())
 }
 
-/// Returns a document with new tables.
+/// Returns the text of a page with new tables.
 ///
 /// # Errors
 /// If a marker states an unknown definition, form or key, or has no end.
-fn refreshed(text: &str, schema: &str) -> Result<String, String> {
+fn refreshed(page: &Path, text: &str, schema: &str) -> Result<String, String> {
     let schema: Json = serde_json::from_str(schema).map_err(|error| format!("the schema: {error}"))?;
     let mut result = String::new();
     let mut rest = text;
@@ -69,11 +79,24 @@ fn refreshed(text: &str, schema: &str) -> Result<String, String> {
         let after = &rest[at + START.len()..];
         let request = after.split_once(" -->").ok_or("a marker without `-->`")?.0;
         let end = after.find(END).ok_or_else(|| format!("`{request}`: no `{END}`"))?;
-        let table = Request::of(request).table(&schema)?;
+        let table =
+            Request::of(request).table(&schema).map_err(|error| format!("{}: {error}", page.display()))?;
+        let table = with_relative_links(&table, page);
         result += &format!("{}{START}{request} -->\n\n{table}\n{END}", &rest[..at]);
         rest = &after[end + END.len()..];
     }
     Ok(result + rest)
+}
+
+/// Table with links relative to its page: the overview is one folder above the sections, links within a page have no path.
+fn with_relative_links(table: &str, page: &Path) -> String {
+    let name = page.file_name().unwrap_or_default().to_string_lossy();
+    if name == "model-file.md" {
+        return LINKS.iter().fold(table.to_owned(), |text, (.., target)| {
+            text.replace(&format!("({target})"), &format!("(model-file/{target})"))
+        });
+    }
+    table.replace(&format!("({name}#"), "(#")
 }
 
 /// Content of a table as stated by its marker.
@@ -96,8 +119,7 @@ impl<'a> Request<'a> {
     }
 
     fn table(&self, schema: &Json) -> Result<String, String> {
-        let unknown =
-            |what: &str| format!("docs/model-file.md: the schema has no {what} of `{}`", self.definition);
+        let unknown = |what: &str| format!("the schema has no {what} of `{}`", self.definition);
         let tables: Vec<&Json> = alternatives(definition(schema, self.definition))
             .into_iter()
             .filter(|form| form["properties"].is_object())
@@ -262,8 +284,8 @@ fn joined(types: &[String]) -> String {
 }
 
 fn link(name: &str) -> Option<String> {
-    let (_, text, section) = LINKS.iter().find(|(definition, ..)| *definition == name)?;
-    Some(format!("[{text}](#{section})"))
+    let (_, text, target) = LINKS.iter().find(|(definition, ..)| *definition == name)?;
+    Some(format!("[{text}]({target})"))
 }
 
 fn limits(of: &Json) -> String {
@@ -329,19 +351,34 @@ mod tests {
     fn the_tables_of_keys_are_up_to_date() {
         let schema = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/model.schema.json");
         let schema = fs::read_to_string(schema).expect("the schema");
-        let text = fs::read_to_string(document()).expect("the document");
-        assert!(text.matches(START).count() > 10, "the document has tables");
-        let new = refreshed(&text, &schema).expect("tables");
-        assert!(text == new, "docs/model-file.md is stale: refresh it by `cargo xtask schema`");
+        let mut tables = 0;
+        for page in pages().expect("the folder of the pages") {
+            let text = fs::read_to_string(&page).expect("the page");
+            tables += text.matches(START).count();
+            let new = refreshed(&page, &text, &schema).expect("tables");
+            assert!(text == new, "{} is stale: refresh it by `cargo xtask schema`", page.display());
+        }
+        assert!(tables > 30, "the pages have tables");
     }
 
     #[test]
     fn unknown_forms_and_keys_are_errors() {
         let schema = r#"{"$defs": {"Circle": {"properties": {"diameter": {"type": "number"}}}}}"#;
-        let table = |request: &str| refreshed(&format!("{START}{request} -->\n{END}\n"), schema);
+        let page = Path::new("bodies.md");
+        let table = |request: &str| refreshed(page, &format!("{START}{request} -->\n{END}\n"), schema);
         assert!(table("Circle").is_ok_and(|text| text.contains("| `diameter` | number |")));
         assert!(table("Circle without radius").is_err_and(|error| error.contains("key `radius`")));
         assert!(table("Square").is_err_and(|error| error.contains("no tables of `Square`")));
-        assert!(refreshed(&format!("{START}Circle -->\n"), schema).is_err());
+        assert!(refreshed(page, &format!("{START}Circle -->\n"), schema).is_err());
+    }
+    #[test]
+    fn links_are_relative_to_their_page() {
+        let table = "[shape](bodies.md#shapes), [place](places.md)";
+        let on = |page: &str| with_relative_links(table, Path::new(page));
+        assert_eq!(on("docs/model-file/bodies.md"), "[shape](#shapes), [place](places.md)");
+        assert_eq!(
+            on("docs/model-file.md"),
+            "[shape](model-file/bodies.md#shapes), [place](model-file/places.md)"
+        );
     }
 }

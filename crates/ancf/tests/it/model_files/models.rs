@@ -38,17 +38,21 @@ fn valid_models_are_read_and_printed() {
     }
 }
 
-/// Every TOML block of `docs/model-file.md` is a complete model.
+/// Every TOML block of `docs/model-file.md` and of the pages in `docs/model-file` is a complete model.
 #[test]
 fn examples_of_the_manual_are_valid() {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/model-file.md");
-    let text = fs::read_to_string(path).unwrap().replace("\r\n", "\n");
-    let blocks: Vec<_> =
-        text.split("```toml\n").skip(1).filter_map(|rest| rest.split("```").next()).collect();
-    assert!(!blocks.is_empty());
-    for block in blocks {
-        Model::parse(block).unwrap_or_else(|errors| panic!("{:#?}\n{block}", texts(&errors)));
+    let overview = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/model-file.md");
+    let sections = fs::read_dir(overview.with_extension("")).expect("the folder of the sections");
+    let pages = sections.map(|entry| entry.expect("the entry is readable").path()).chain([overview]);
+    let mut number = 0;
+    for page in pages {
+        let text = fs::read_to_string(page).unwrap().replace("\r\n", "\n");
+        for block in text.split("```toml\n").skip(1).filter_map(|rest| rest.split("```").next()) {
+            Model::parse(block).unwrap_or_else(|errors| panic!("{:#?}\n{block}", texts(&errors)));
+            number += 1;
+        }
     }
+    assert!(number >= 14, "the manual has {number} models");
 }
 
 #[test]

@@ -5,6 +5,7 @@ pub(crate) mod dependencies;
 pub(crate) mod fuzz;
 pub(crate) mod hunt;
 pub(crate) mod package;
+pub(crate) mod pictures;
 pub(crate) mod schema;
 pub(crate) mod test;
 pub(crate) mod viewer;

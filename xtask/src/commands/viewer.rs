@@ -13,14 +13,20 @@ const BROWSERS: [&str; 3] = ["chromium", "chromium-browser", "google-chrome"];
 pub(crate) fn test() -> Done {
     installed()?;
     npm("types and lints of the viewer", &["run", "--silent", "check"])?;
+    browser()?;
+    cargo("program", &["build", "--workspace"], &[])?;
+    npm("tests of the viewer", &["test", "--silent"])
+}
+
+/// Installs Chromium, unless there is a browser.
+pub(crate) fn browser() -> Done {
     if std::env::var_os("CHROMIUM").is_none()
         && !BROWSERS.iter().any(|name| debian::has(name))
         && !debian::install("chromium")
     {
         return Err("Chromium is missing; install it, or set the variable CHROMIUM to its path".to_owned());
     }
-    cargo("program", &["build", "--workspace"], &[])?;
-    npm("tests of the viewer", &["test", "--silent"])
+    Ok(())
 }
 
 /// Builds the bundle that the crate `ancf-report` embeds.

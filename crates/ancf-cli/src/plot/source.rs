@@ -62,8 +62,7 @@ impl PlotSource {
 
     fn of_run(results: &Results) -> Result<Self> {
         let units = results.model().unit_names();
-        let unit =
-            |column: &Column| column.dimension.map(|dimension| units.of(dimension)).unwrap_or_default();
+        let unit = |column: &Column| column.unit(&units).filter(|unit| unit != "1").unwrap_or_default();
         let columns = results.simulation().columns();
         let quantity = |column: Column| PlotQuantity { unit: unit(&column), name: column.name };
         let quantities: Vec<PlotQuantity> = columns.into_iter().map(quantity).collect();

@@ -1,5 +1,6 @@
 use std::collections::{BTreeMap, BTreeSet};
 
+use ancf::Column;
 use ancf::model::{Analysis, Step};
 use ancf::units::Dimension;
 
@@ -18,18 +19,17 @@ pub struct Charts {
     pub charts: Vec<Chart>,
 }
 
-/// Dimensions of the columns of a run that have one.
-type Dimensions = BTreeMap<String, Dimension>;
+/// Columns of a run by name.
+type RunColumns = BTreeMap<String, Column>;
 
 impl Charts {
     /// Charts of all columns of a recording, with about `most` rows.
     pub fn new(recording: &Recording<'_>, most: usize) -> Self {
         let mut abscissa = Abscissa::of(recording);
         let columns = recording.simulation.columns().into_iter();
-        let dimensions = columns.filter_map(|column| Some((column.name, column.dimension?))).collect();
-        let mut charts = owned(recording, &dimensions);
-        charts
-            .extend(GLOBAL.iter().filter_map(|group| global(recording, &dimensions, group, &abscissa.name)));
+        let run: RunColumns = columns.map(|column| (column.name.clone(), column)).collect();
+        let mut charts = owned(recording, &run);
+        charts.extend(GLOBAL.iter().filter_map(|group| global(recording, &run, group, &abscissa.name)));
         charts.extend(steps(recording));
         charts.sort_by_key(|chart| chart.group);
         let all: Vec<&[f64]> =
@@ -60,7 +60,7 @@ impl Charts {
 }
 
 /// Charts of probes, joints and bodies, in the order of their columns.
-fn owned(recording: &Recording<'_>, dimensions: &Dimensions) -> Vec<Chart> {
+fn owned(recording: &Recording<'_>, run: &RunColumns) -> Vec<Chart> {
     let mut seen = BTreeSet::new();
     let mut charts = Vec::new();
     for name in recording.series.names() {
@@ -72,13 +72,14 @@ fn owned(recording: &Recording<'_>, dimensions: &Dimensions) -> Vec<Chart> {
         };
         let &ColumnGroup { names, group, title } = found;
         // Rates are zero unless the analysis is dynamic.
-        let rates = dimensions.get(name).is_some_and(|dimension| dimension.time != 0);
+        let rates =
+            run.get(name).and_then(|column| column.dimension).is_some_and(|dimension| dimension.time != 0);
         let still = rates && recording.model.analysis.dynamics().is_none();
         if still || !seen.insert((owner, number)) {
             continue;
         }
         let title = if recording.is_modal() { "displacement" } else { title };
-        let column = |label: &&str| column(recording, dimensions, &format!("{owner}.{label}"), label);
+        let column = |label: &&str| column(recording, run, &format!("{owner}.{label}"), label);
         let columns = names.iter().filter_map(column).collect();
         charts.push(Chart { title: format!("{owner}: {title}"), group, log: false, columns });
     }
@@ -88,25 +89,21 @@ fn owned(recording: &Recording<'_>, dimensions: &Dimensions) -> Vec<Chart> {
 /// Chart of columns without an owner; `None` if they have no finite values.
 fn global(
     recording: &Recording<'_>,
-    dimensions: &Dimensions,
+    run: &RunColumns,
     columns: &ColumnGroup,
     abscissa: &str,
 ) -> Option<Chart> {
     let &ColumnGroup { names, group, title } = columns;
     let names = names.iter().filter(|name| **name != abscissa);
-    let columns: Vec<_> = names.filter_map(|name| column(recording, dimensions, name, name)).collect();
+    let columns: Vec<_> = names.filter_map(|name| column(recording, run, name, name)).collect();
     let has_values = columns.iter().any(|column| column.values.iter().any(|x| x.is_finite()));
     has_values.then(|| Chart { title: title.to_owned(), group, log: title == RESIDUAL, columns })
 }
 
-fn column(
-    recording: &Recording<'_>,
-    dimensions: &Dimensions,
-    name: &str,
-    label: &str,
-) -> Option<ChartColumn> {
+fn column(recording: &Recording<'_>, run: &RunColumns, name: &str, label: &str) -> Option<ChartColumn> {
     let values = recording.series.column(name)?.to_vec();
-    let unit = dimensions.get(name).map(|dimension| recording.unit(*dimension)).unwrap_or_default();
+    let unit = recording.model.units.as_ref().and_then(|units| run.get(name)?.unit(units));
+    let unit = unit.filter(|unit| unit != "1").unwrap_or_default();
     let errors = recording.series.column(&format!("{name}_error")).map(<[f64]>::to_vec).unwrap_or_default();
     Some(ChartColumn { name: name.to_owned(), label: label.to_owned(), unit, values, errors })
 }

@@ -69,7 +69,7 @@ fn a_file_says_where_it_comes_from_and_in_what_units() {
     assert!(results.metadata("program").unwrap().unwrap().starts_with("ancf "));
     let units: serde_json::Value =
         serde_json::from_str(&results.metadata("units").unwrap().unwrap()).unwrap();
-    for (column, unit) in [("t", "s"), ("tip.ax", "m/s²"), ("hook.mz", "N m"), ("kinetic", "N m")] {
+    for (column, unit) in [("t", "s"), ("tip.ax", "m/s²"), ("hook.mz", "N m"), ("kinetic", "J")] {
         assert_eq!(units[column], unit, "{column}");
     }
     assert!(units.get("iterations").is_none(), "a column without a unit has no entry");

@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use super::angle_counter::{AngleCounter, AngleHistory, AngleRates};
 use crate::assembly::Assembly;
 use crate::model::Quantity;
-use crate::units::{Dimension, Scales, Units};
+use crate::units::{Dimension, Scales, UnitQuantity, Units};
 
 /// Columns of a run and their values in one state, in the user's units.
 ///
@@ -61,16 +61,22 @@ pub struct Column {
     pub name: String,
     /// Dimension of the values; `None` if they are not in the user's units, such as a residual.
     pub dimension: Option<Dimension>,
+    /// Quantity with a unit name of its own.
+    pub quantity: UnitQuantity,
 }
 
 impl Column {
     pub(crate) fn new(name: impl Into<String>, dimension: impl Into<Option<Dimension>>) -> Self {
-        Self { name: name.into(), dimension: dimension.into() }
+        Self { name: name.into(), dimension: dimension.into(), quantity: UnitQuantity::Other }
+    }
+
+    pub(crate) fn with_quantity(self, quantity: UnitQuantity) -> Self {
+        Self { quantity, ..self }
     }
 
     /// Unit of the values, `1` for numbers without dimension; `None` if they are not in the user's units.
     pub fn unit(&self, units: &Units) -> Option<String> {
-        let unit = units.of(self.dimension?);
+        let unit = units.of_quantity(self.dimension?, self.quantity);
         Some(if unit.is_empty() { "1".to_owned() } else { unit })
     }
 
@@ -103,17 +109,21 @@ pub(crate) fn columns(assembly: &Assembly, first: &str, solver: &[&str]) -> Vec<
     }
     for (joint, coordinate) in assembly.joint_coordinates() {
         let pairs = coordinate.columns().into_iter().zip(coordinate.dimensions());
-        columns.extend(pairs.flat_map(|(column, dimension)| Column::of(joint, [column], dimension)));
+        let quantity = coordinate.quantity();
+        let columns_of = |(column, dimension)| Column::of(joint, [column], dimension);
+        columns.extend(pairs.flat_map(columns_of).map(|column| column.with_quantity(quantity)));
     }
     if assembly.energy_parts {
         let parts = ["axial", "bending", "shear", "torsion", "section", "volume"];
-        columns.extend(assembly.bodies().flat_map(|(body, _)| Column::of(body, parts, Dimension::ENERGY)));
+        let energies = assembly.bodies().flat_map(|(body, _)| Column::of(body, parts, Dimension::ENERGY));
+        columns.extend(energies.map(|column| column.with_quantity(UnitQuantity::Energy)));
     }
     columns.extend(solver.iter().map(|&name| Column::new(name, None)));
     // Statics has no time history, so no energy balance.
     let balance: &[&str] = if first == TIME { &["work", "dissipated", "balance"] } else { &[] };
     let energies = ["kinetic", "strain", "potential"].iter().chain(balance);
-    columns.extend(energies.map(|&name| Column::new(name, Dimension::ENERGY)));
+    let energy = |name| Column::new(name, Dimension::ENERGY).with_quantity(UnitQuantity::Energy);
+    columns.extend(energies.map(|&name| energy(name)));
     columns.extend(error_columns(assembly));
     columns
 }
@@ -136,7 +146,9 @@ fn error_columns(assembly: &Assembly) -> Vec<Column> {
     values.extend(assembly.joints().flat_map(columns_of_reaction));
     for (joint, coordinate) in assembly.joint_coordinates() {
         let ([name, _], [dimension, _]) = (coordinate.columns(), coordinate.dimensions());
-        values.extend(Column::of(joint, [name], dimension));
+        let quantity = coordinate.quantity();
+        values
+            .extend(Column::of(joint, [name], dimension).into_iter().map(|one| one.with_quantity(quantity)));
     }
     values.into_iter().map(|value| Column { name: value.name + ERROR, ..value }).collect()
 }
@@ -156,8 +168,9 @@ fn columns_of_probe(name: &str, quantity: Quantity) -> Vec<Column> {
         ]
         .concat(),
         Quantity::Rotation => {
-            [of(&["e0", "e1", "e2", "e3"], Dimension::NUMBER), of(&["wx", "wy", "wz"], Dimension::RATE)]
-                .concat()
+            let rates = of(&["wx", "wy", "wz"], Dimension::RATE).into_iter();
+            let rates = rates.map(|rate| rate.with_quantity(UnitQuantity::Angle)).collect();
+            [of(&["e0", "e1", "e2", "e3"], Dimension::NUMBER), rates].concat()
         }
         Quantity::SectionForces => {
             [of(&["N", "Qy", "Qz"], Dimension::FORCE), of(&["T", "My", "Mz"], Dimension::ENERGY)].concat()

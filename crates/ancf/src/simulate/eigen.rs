@@ -16,7 +16,7 @@ use crate::estimate::{DiscretisationErrors, FactorErrors, FrequencyErrors, GapFi
 use crate::failure::{prebuckling_warning, unloaded};
 use crate::model::{About, Buckling, Model, Modes};
 use crate::results::Column;
-use crate::units::Dimension;
+use crate::units::{Dimension, UnitQuantity};
 
 /// Upper limit on the relative residual of a mode.
 const MAX_RESIDUAL: f64 = 1e-3;
@@ -41,7 +41,12 @@ pub(crate) fn columns(assembly: &Assembly, solver: &[&str]) -> Vec<Column> {
         _ => None,
     };
     let mut columns = vec![Column::new("mode", None)];
-    columns.extend(solver.iter().map(|&name| Column::new(name, dimension(name))));
+    let quantity = |name: &str| match name {
+        "frequency" | "frequency_error" => UnitQuantity::Frequency,
+        _ => UnitQuantity::Other,
+    };
+    columns
+        .extend(solver.iter().map(|&name| Column::new(name, dimension(name)).with_quantity(quantity(name))));
     for (probe, _) in &assembly.probes {
         columns.extend(["x", "y", "z"].map(|axis| Column::new(format!("{probe}.{axis}"), None)));
     }

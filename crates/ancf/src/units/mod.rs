@@ -11,7 +11,7 @@ pub use ancf_derive::Scaled;
 pub use choice::{ChosenScales, ScaleChoice};
 pub use convert::Convert;
 pub(crate) use convert::number;
-pub use names::Units;
+pub use names::{UnitQuantity, Units};
 pub use scaled::Scaled;
 pub use scales::{Dimension, Scales};
 pub use unit_tree::UnitTree;

@@ -21,7 +21,32 @@ pub struct Units {
     pub force: String,
 }
 
+/// Quantity whose unit has a name of its own.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum UnitQuantity {
+    /// Any other quantity.
+    #[default]
+    Other,
+    /// Energy or work: J for N m.
+    Energy,
+    /// Angle or angular velocity: rad for a number.
+    Angle,
+    /// Frequency: Hz for 1/s.
+    Frequency,
+}
+
 impl Units {
+    /// Name of the unit of a quantity with a dimension, such as `J` or `rad/s`; empty for a number.
+    pub fn of_quantity(&self, dimension: Dimension, quantity: UnitQuantity) -> String {
+        let unit = self.of(dimension);
+        match (quantity, unit.as_str()) {
+            (UnitQuantity::Energy, "N m") => "J".to_owned(),
+            (UnitQuantity::Frequency, "1/s") => "Hz".to_owned(),
+            (UnitQuantity::Angle, rate) => format!("rad{}", rate.trim_start_matches('1')),
+            _ => unit,
+        }
+    }
+
     /// Names of the quantities: `length`, `time`, `force`.
     pub fn in_words() -> Self {
         let [length, time, force] = ["length", "time", "force"].map(str::to_owned);
@@ -78,5 +103,18 @@ mod tests {
             assert_eq!(units.of(dimension), text);
         }
         assert_eq!(Units::in_words().of(Dimension::VELOCITY), "length/time");
+        let length = "m".to_owned();
+        let si = Units { length, ..units.clone() };
+        for (units, dimension, quantity, text) in [
+            (&si, Dimension::ENERGY, UnitQuantity::Energy, "J"),
+            (&si, Dimension::ENERGY, UnitQuantity::Other, "N m"),
+            (&units, Dimension::ENERGY, UnitQuantity::Energy, "N mm"),
+            (&si, Dimension::NUMBER, UnitQuantity::Angle, "rad"),
+            (&si, Dimension::RATE, UnitQuantity::Angle, "rad/s"),
+            (&si, Dimension::RATE, UnitQuantity::Frequency, "Hz"),
+            (&Units::in_words(), Dimension::RATE, UnitQuantity::Frequency, "1/time"),
+        ] {
+            assert_eq!(units.of_quantity(dimension, quantity), text);
+        }
     }
 }

@@ -4,7 +4,7 @@ use ancf_solver::equations::State;
 use nalgebra::Vector3;
 
 use super::coupling::JointCoordinate;
-use crate::units::Dimension;
+use crate::units::{Dimension, UnitQuantity};
 
 /// Angle, displacement, arc length or distance that a joint records.
 #[derive(Clone, Debug)]
@@ -43,6 +43,14 @@ impl RecordedCoordinate {
         match self.source {
             Source::Angle { .. } => [Dimension::NUMBER, Dimension::RATE],
             _ => [Dimension::LENGTH, Dimension::VELOCITY],
+        }
+    }
+
+    /// Quantity of value and rate.
+    pub const fn quantity(&self) -> UnitQuantity {
+        match self.source {
+            Source::Angle { .. } => UnitQuantity::Angle,
+            _ => UnitQuantity::Other,
         }
     }
 

@@ -34,11 +34,20 @@ export function description(chart: Chart, columns: number[], magnitudes: ColumnM
 }
 
 /** Table of the first, last, least and largest values of all columns, created when it is opened. */
-export function extremesTable(chart: Chart, abscissa: Abscissa, magnitudes: ColumnMagnitudes): HTMLElement {
-  const details = h("details", { class: "chart-table" }, h("summary", {}, "Table"));
-  details.addEventListener("toggle", () => {
+export function extremesTable(
+  chart: Chart,
+  { abscissa, magnitudes }: { abscissa: Abscissa; magnitudes: ColumnMagnitudes },
+  state: { table: boolean },
+): HTMLElement {
+  const details = h("details", { class: "chart-table", open: state.table }, h("summary", {}, "Table"));
+  const fill = () => {
     if (details.open && details.children.length === 1) details.append(table(chart, abscissa, magnitudes));
+  };
+  details.addEventListener("toggle", () => {
+    state.table = details.open;
+    fill();
   });
+  fill();
   return details;
 }
 

@@ -103,6 +103,11 @@ export class Camera {
     this.lookFrom(new THREE.Vector3(...this.direction));
   }
 
+  /** Fits new data into the free area, unless the user has moved the camera. */
+  keepFitted(): void {
+    if (this.fitted) this.fit();
+  }
+
   private lookFrom(direction: THREE.Vector3): void {
     const { up, toward } = this.axes;
     // The controls require a small angle between the direction and the vertical axis.
@@ -173,8 +178,9 @@ export class Camera {
   resize(width: number, height: number): void {
     [this.width, this.height] = [width, height];
     this.camera.aspect = width / Math.max(1, height);
-    if (this.fitted && this.camera.position.lengthSq() > 0) this.fit();
-    else this.updateOffset();
+    // The first direction of view is set after the first size.
+    if (this.camera.position.lengthSq() > 0) this.keepFitted();
+    if (!this.fitted) this.updateOffset();
   }
 
   /** Shifts the centre of the picture into that of the free area. */

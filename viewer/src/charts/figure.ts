@@ -136,7 +136,7 @@ export class ChartFigure {
     const { constant } = this.ranked;
     if (constant.length === 0) return [];
     const text = constantsText(this.chart, constant, this.context.magnitudes);
-    return [h("p", { class: "note" }, `constant: ${text}`)];
+    return text === "" ? [] : [h("p", { class: "note" }, `constant: ${text}`)];
   }
 
   show(x: number | null): void {

@@ -16,7 +16,7 @@ function valueText(chart: Chart, column: number, x: number, magnitudes: ColumnMa
   const [low, high] = valueRange(values) ?? [0, 0];
   const size = Math.max(Math.abs(low), Math.abs(high));
   const noise = chart.log ? 0 : NOISE * magnitudes.of(chart, chart.columns[column]);
-  return formatQuantity(Math.abs(x) < noise ? 0 : x, unit, size);
+  return Math.abs(x) < noise ? formatQuantity(0, unit) : formatQuantity(x, unit, size);
 }
 
 /** Text such as "x 0 m, y 1 m" of columns without variation. Columns without values are omitted. */

@@ -73,12 +73,13 @@ test("columns without variation are not drawn but listed", async () => {
   const columns = [
     ["x", "m", rows(50, (s) => Math.sin(6 * s))],
     ["y", "m", rows(50, () => 0.25)],
-    ["z", "m", rows(50, (s) => 1e-9 * s)],
+    ["z", "m", rows(50, (s) => 1e-9 * (1 + s))],
+    ["w", "m", rows(50, () => Number.NaN)],
   ];
   const { tab } = await open(browser, chartScene([{ title: "tip: position", columns }]));
   const legend = await tab.$$eval(".u-series .u-label", (all) => all.map((e) => e.textContent));
   assert.deepEqual(legend, ["t", "x"]);
-  assert.match(await tab.$eval(".chart", (e) => e.textContent), /constant: y 0\.25 m, z/);
+  assert.match(await tab.$eval(".chart", (e) => e.textContent), /constant: y 0\.25 m, z 0 mTable/);
   await tab.close();
 });
 

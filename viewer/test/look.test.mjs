@@ -188,6 +188,10 @@ test("a live run is followed, at the end if the time was at the end", async () =
   assert.ok(unchanged >= 1 && answers <= 4, `${answers} requests, ${unchanged} unchanged`);
   [scene, version] = [cantilever({ frames: 21, until: 1, live: true }), 2];
   await tab.waitForFunction(() => window.ancf.time === 1, { timeout: 8000 });
+  await settle(tab);
+  const { free, motion } = await tab.evaluate(() => window.ancf.framing());
+  const fits = motion.left >= free.left && motion.right <= free.right && motion.bottom <= free.bottom;
+  assert.ok(fits, `the new motion is framed: ${JSON.stringify({ free, motion })}`);
   await tab.evaluate(() => window.ancf.setTime(0.25));
   await tab.keyboard.press("g");
   [scene, version] = [cantilever(), 3];

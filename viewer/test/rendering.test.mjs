@@ -179,3 +179,26 @@ test("shadows without a floor are on the grid below the motion", async () => {
   assert.equal(await opacity(), 0);
   await tab.close();
 });
+
+test("bodies in the darkest colour contrast with the background of both themes", async () => {
+  for (const theme of ["light", "dark"]) {
+    const { tab } = await openBare(cantilever(), { theme });
+    await tab.select('select[aria-label="colour by"]', "speed");
+    await tab.select('select[aria-label="colour map"]', "viridis");
+    await setTime(tab, 0.5);
+    await settle(tab);
+    // At t = 0.5 s all speeds are zero.
+    const [body] = await colours(tab, [[0.2, -0.012, 0.02]]);
+    const stage = await tab.evaluate(() => {
+      const style = getComputedStyle(document.documentElement);
+      const hex = style.getPropertyValue("--stage").trim();
+      return [1, 3, 5].map((i) => Number.parseInt(hex.slice(i, i + 2), 16));
+    });
+    const linear = (c) => (c <= 10 ? c / 3295 : ((c / 255 + 0.055) / 1.055) ** 2.4);
+    const relative = ([r, g, b]) => 0.2126 * linear(r) + 0.7152 * linear(g) + 0.0722 * linear(b) + 0.05;
+    const [a, b] = [relative(body), relative(stage)];
+    const contrast = Math.max(a / b, b / a);
+    assert.ok(contrast >= 1.25, `${theme}: ${contrast.toFixed(2)} of ${body} on ${stage}`);
+    await tab.close();
+  }
+});

@@ -62,6 +62,12 @@ test("rigid-body modes are folded, and selected by their own buttons", async () 
   await tab.click(".rigid-modes button");
   await settle(tab);
   assert.match(await pressed(), /^mode 1: rigid/);
+  await tab.click(".rigid-modes summary");
+  await tab.keyboard.press("End");
+  await settle(tab);
+  await tab.keyboard.press("Home");
+  await settle(tab);
+  assert.equal(await tab.$eval(".rigid-modes", (e) => e.open), true, "the list of the current mode is open");
   await tab.close();
 });
 

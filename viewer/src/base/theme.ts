@@ -14,6 +14,11 @@ function systemTheme(): string {
   return matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light";
 }
 
+/** True if the page has the dark theme. */
+export function isDark(): boolean {
+  return document.documentElement.dataset.theme === "dark";
+}
+
 export class Theme {
   constructor(private readonly changed: () => void) {
     document.documentElement.dataset.theme = storedTheme() ?? systemTheme();

@@ -61,6 +61,8 @@ export class Charts {
 
   /** Creates the plots of the selected group in the colours of the theme. */
   rebuild(): void {
+    // Read before the figures are removed: a layout without them would reset the scroll position.
+    const width = Math.max(200, this.list.clientWidth || 360);
     for (const figure of this.figures) figure.destroy();
     this.figures = [];
     const { abscissa, magnitudes } = this;
@@ -68,7 +70,6 @@ export class Charts {
     for (const button of this.groupButtons.querySelectorAll("button")) {
       button.setAttribute("aria-pressed", String(button.dataset.group === this.group));
     }
-    const width = Math.max(200, this.list.clientWidth || 360);
     const charts = abscissa.xs.length > 0 ? this.all.filter((c) => c.group === this.group) : [];
     const ranking = rankCharts(charts, magnitudes, abscissa.discrete);
     const margin = new SharedMargin();
@@ -96,7 +97,7 @@ export class Charts {
 
   private stateOf({ group, title }: Chart): FigureState {
     const key = `${group}\n${title}`;
-    const state = this.states.get(key) ?? { log: false, wholeRange: false };
+    const state = this.states.get(key) ?? { log: false, wholeRange: false, table: false };
     this.states.set(key, state);
     return state;
   }

@@ -25,6 +25,8 @@ export interface FigureState {
   log: boolean;
   /** True if a spike at the start determines the vertical range. */
   wholeRange: boolean;
+  /** True if the table is open. */
+  table: boolean;
 }
 
 export class ChartFigure {
@@ -60,7 +62,7 @@ export class ChartFigure {
       ...this.notes(reduced),
       ...this.plots.map((plot) => plot.element),
       ...this.constants(),
-      extremesTable(this.chart, context.abscissa, context.magnitudes),
+      extremesTable(this.chart, context, state),
     );
     this.element.setAttribute("aria-label", `chart ${this.chart.title}`);
   }
@@ -134,7 +136,7 @@ export class ChartFigure {
     const { constant } = this.ranked;
     if (constant.length === 0) return [];
     const text = constantsText(this.chart, constant, this.context.magnitudes);
-    return [h("p", { class: "note" }, `constant: ${text}`)];
+    return text === "" ? [] : [h("p", { class: "note" }, `constant: ${text}`)];
   }
 
   show(x: number | null): void {

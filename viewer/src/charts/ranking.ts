@@ -30,7 +30,7 @@ function variation({ values }: Column): number {
   return high - low;
 }
 
-/** Indices of columns by axes: a column joins the first axes on which no curve is flat. */
+/** Indices of columns by axes, those of the largest variation first. A column joins the first axes on which no curve is flat. */
 function separateAxes(chart: Chart, columns: number[]): number[][] {
   if (chart.log || !VECTOR_GROUPS.includes(chart.group)) return [columns];
   const panels: number[][] = [];
@@ -43,7 +43,8 @@ function separateAxes(chart: Chart, columns: number[]): number[][] {
     if (fitting) fitting.push(column);
     else panels.push([column]);
   }
-  return panels;
+  const largest = (panel: number[]) => Math.max(...panel.map((i) => variation(chart.columns[i])));
+  return panels.sort((a, b) => largest(b) - largest(a));
 }
 
 /** Ranks the charts of a group. Discrete charts keep their order and all columns. */

@@ -1,23 +1,28 @@
 // Text alternatives of a chart: summary, table of extremes, values as CSV.
 
 import { h, saveFile } from "../base/dom";
-import { suppressNoise, valueRange } from "../base/numbers";
+import { valueRange } from "../base/numbers";
 import { displayUnit, formatQuantity } from "../base/units";
 import type { Chart } from "../scene/scene";
 import type { Abscissa } from "./abscissa";
 import type { ColumnMagnitudes } from "./magnitudes";
 
-/** Value of a column as text. Rounding noise is zero. */
+/** Relative size below which a value of a linear chart counts as zero. */
+const NOISE = 1e-6;
+
+/** Value of a column as text. Noise is zero. */
 function valueText(chart: Chart, column: number, x: number, magnitudes: ColumnMagnitudes): string {
   const { unit, values } = chart.columns[column];
   const [low, high] = valueRange(values) ?? [0, 0];
   const size = Math.max(Math.abs(low), Math.abs(high));
-  return formatQuantity(suppressNoise(x, magnitudes.of(chart, chart.columns[column])), unit, size);
+  const noise = chart.log ? 0 : NOISE * magnitudes.of(chart, chart.columns[column]);
+  return Math.abs(x) < noise ? formatQuantity(0, unit) : formatQuantity(x, unit, size);
 }
 
-/** Text such as "x 0 m, y 1 m" of columns without variation. */
+/** Text such as "x 0 m, y 1 m" of columns without variation. Columns without values are omitted. */
 export function constantsText(chart: Chart, columns: number[], magnitudes: ColumnMagnitudes): string {
   return columns
+    .filter((i) => valueRange(chart.columns[i].values) !== null)
     .map((i) => `${chart.columns[i].label} ${valueText(chart, i, chart.columns[i].values[0], magnitudes)}`)
     .join(", ");
 }
@@ -34,11 +39,20 @@ export function description(chart: Chart, columns: number[], magnitudes: ColumnM
 }
 
 /** Table of the first, last, least and largest values of all columns, created when it is opened. */
-export function extremesTable(chart: Chart, abscissa: Abscissa, magnitudes: ColumnMagnitudes): HTMLElement {
-  const details = h("details", { class: "chart-table" }, h("summary", {}, "Table"));
-  details.addEventListener("toggle", () => {
+export function extremesTable(
+  chart: Chart,
+  { abscissa, magnitudes }: { abscissa: Abscissa; magnitudes: ColumnMagnitudes },
+  state: { table: boolean },
+): HTMLElement {
+  const details = h("details", { class: "chart-table", open: state.table }, h("summary", {}, "Table"));
+  const fill = () => {
     if (details.open && details.children.length === 1) details.append(table(chart, abscissa, magnitudes));
+  };
+  details.addEventListener("toggle", () => {
+    state.table = details.open;
+    fill();
   });
+  fill();
   return details;
 }
 

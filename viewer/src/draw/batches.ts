@@ -2,7 +2,7 @@
 
 import { bodyRadius } from "../scene/geometry";
 import type { Body, Scene } from "../scene/scene";
-import { box, cap, type MeshTemplate, sphere, tube } from "./templates";
+import { box, cap, isPolygon, type MeshTemplate, sphere, tube } from "./templates";
 
 /** Numbers per instance: station, body, radius, scale factors at the start (3) and at the end (3). */
 export const STRIDE = 9;
@@ -118,8 +118,5 @@ function coarsening(bodies: Body[]): number {
 function coarsened(outline: number[][], step: number): number[][] {
   const n = outline.length;
   const stride = Math.max(1, Math.min(step, Math.floor(n / 6)));
-  const hasCorners = outline.some(
-    (p, i) => Math.hypot(p[0] - outline[(i + 1) % n][0], p[1] - outline[(i + 1) % n][1]) === 0,
-  );
-  return hasCorners ? outline : outline.filter((_, i) => i % stride === 0);
+  return isPolygon(outline) ? outline : outline.filter((_, i) => i % stride === 0);
 }

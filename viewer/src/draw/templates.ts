@@ -6,7 +6,7 @@ export interface MeshTemplate {
   normal: number[];
   /** Station of each vertex: 0 for the station of the instance, 1 for the next one. */
   end: number[];
-  /** Coordinates -1 to 1 on a face with edges, two per vertex; empty if the mesh has no edges. */
+  /** Coordinates on a face, two per vertex; edges are at -1 and 1. Empty if the mesh has no edges. */
   face: number[];
   index: number[];
 }
@@ -31,6 +31,14 @@ export function tube(outline: number[][], inner: number[][] | null): MeshTemplat
   return merge(wall(outline, 1), inner ? wall(inner, -1) : empty());
 }
 
+/** True if an outline has corners, which are pairs of points at one place. */
+export function isPolygon(outline: number[][]): boolean {
+  const n = outline.length;
+  return outline.some(
+    (p, i) => Math.hypot(p[0] - outline[(i + 1) % n][0], p[1] - outline[(i + 1) % n][1]) === 0,
+  );
+}
+
 /** Wall between two stations; `sign` is -1 for a bore, whose normals point inwards. */
 function wall(outline: number[][], sign: number): MeshTemplate {
   const template = empty();
@@ -41,6 +49,9 @@ function wall(outline: number[][], sign: number): MeshTemplate {
       template.normal.push(0, sign * ny, sign * nz);
       template.end.push(end);
     }
+    // A polygon has two points per corner: the start and the end of each side.
+    const hasCorners = isPolygon(outline);
+    for (let i = 0; i < n; i++) template.face.push(hasCorners ? (i % 2 === 0 ? -1 : 1) : 0, 0);
   }
   for (let i = 0; i < n; i++) {
     const j = (i + 1) % n;
@@ -52,15 +63,16 @@ function wall(outline: number[][], sign: number): MeshTemplate {
 /** End face with the normal `side` times d1. */
 export function cap(outline: number[][], inner: number[][] | null, side: number): MeshTemplate {
   const template = empty();
-  const addVertex = (y: number, z: number) => {
+  const addVertex = (y: number, z: number, rim: number) => {
     template.local.push(0, y, z);
     template.normal.push(side, 0, 0);
     template.end.push(0);
+    template.face.push(rim, 0);
   };
   const n = outline.length;
-  for (const [y, z] of outline) addVertex(y, z);
+  for (const [y, z] of outline) addVertex(y, z, 1);
   if (inner && inner.length > 0) {
-    for (const [y, z] of inner) addVertex(y, z);
+    for (const [y, z] of inner) addVertex(y, z, -1);
     const m = inner.length;
     const count = Math.max(n, m);
     for (let k = 0; k < count; k++) {
@@ -69,7 +81,7 @@ export function cap(outline: number[][], inner: number[][] | null, side: number)
       template.index.push(i, j, n + p, j, n + q, n + p);
     }
   } else {
-    addVertex(0, 0);
+    addVertex(0, 0, 0);
     for (let i = 0; i < n; i++) template.index.push(i, (i + 1) % n, n);
   }
   return template;

@@ -2,6 +2,7 @@
 
 import * as THREE from "three";
 import type { Settings } from "../base/settings";
+import { isDark } from "../base/theme";
 import type { FrameBlend } from "../scene/blend";
 import { colourScale } from "../scene/fields";
 import type { Scene } from "../scene/scene";
@@ -152,6 +153,7 @@ export class Viewport {
   draw(blend: FrameBlend): void {
     if (!this.contents || this.contents.scene.frames.count === 0) return;
     this.contents.shared.blend = blend;
+    this.contents.shared.dark = isDark();
     this.contents.obstacles.blend = blend;
     this.camera.updateDepth();
     this.renderer.render(this.world, this.camera.camera);

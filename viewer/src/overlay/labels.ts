@@ -4,7 +4,7 @@ import { h } from "../base/dom";
 import type { Viewport } from "../draw/viewport";
 import type { Rectangle } from "../view/camera";
 import { candidateLabels, type Label, type LabelSource } from "./candidates";
-import { nearestPoint, Occupancy, type PlacedBox, SLOTS, slotRectangle } from "./placement";
+import { NEAR_SLOTS, nearestPoint, Occupancy, type PlacedBox, SLOTS, slotRectangle } from "./placement";
 
 /** Upper limit on the number of labels. */
 const MAX_LABELS = 120;
@@ -15,8 +15,10 @@ const PADDING = 12;
 const LEADER = 20;
 /** Width of the view in pixels below which each value has its own line. */
 const NARROW = 560;
-/** Number of placements of labels of bodies and nodes, which are not displaced. */
-const NEAR_SLOTS = 8;
+/** Time for which a displaced label keeps its placement, even if it covers a symbol or a line, in ms. */
+const DWELL = 800;
+/** Change of the frame, relative to their number, above which all labels are placed again. */
+const JUMP = 0.05;
 
 const SVG = "http://www.w3.org/2000/svg";
 
@@ -28,14 +30,23 @@ interface LabelElements {
   line: SVGElement;
 }
 
+/** Label with its box and the selected slot, -1 if it has none. */
+interface LabelBox extends PlacedBox {
+  label: Label;
+  values: string;
+  slot: number;
+}
+
 export class Labels {
   readonly element = h("div", { class: "labels", "aria-hidden": "true" });
   private readonly lines = document.createElementNS(SVG, "svg");
   private readonly pool: LabelElements[] = [];
   private readonly widths = new Map<string, number>();
   private readonly context = document.createElement("canvas").getContext("2d");
-  /** Placement of each label in the last frame, which is kept while it is free. */
-  private slots = new Map<string, number>();
+  /** Placement of each label in the last frame, and the time of its selection in ms. */
+  private slots = new Map<string, { slot: number; since: number }>();
+  /** Fractional frame of the last drawing. */
+  private position = 0;
 
   constructor(
     private readonly viewport: Viewport,
@@ -55,23 +66,49 @@ export class Labels {
     }
     const markers = visible.filter(({ label }) => label.kind === "marker").map(({ point }) => point);
     const occupancy = new Occupancy(width, height, this.covered(), markers);
-    const slots = new Map<string, number>();
-    let shown = 0;
-    for (const { label, point } of visible) {
-      if (shown >= MAX_LABELS) break;
+    const boxes = visible.slice(0, MAX_LABELS).map(({ label, point }): LabelBox => {
       const values = label.values.join(width < NARROW ? "\n" : ", ");
-      const box = this.box(label, values, point);
-      const count = label.kind === "marker" ? SLOTS : NEAR_SLOTS;
-      const slot = occupancy.place(box, this.slots.get(label.key) ?? 0, count);
-      if (slot < 0) continue;
-      slots.set(label.key, slot);
-      this.show(shown++, label, values, slotRectangle(box, slot), point);
+      return { label, values, slot: -1, ...this.box(label, values, point) };
+    });
+    this.forgetAfterJump(source);
+    const slots = this.placeAll(boxes, occupancy);
+    let shown = 0;
+    for (const box of boxes) {
+      if (box.slot >= 0) this.show(shown++, box.label, box.values, slotRectangle(box, box.slot), box.point);
     }
     this.slots = slots;
     for (let i = shown; i < this.pool.length; i++) {
       this.pool[i].box.hidden = true;
       this.pool[i].line.toggleAttribute("hidden", true);
     }
+  }
+
+  /** Forgets the placements if the frame has changed by more than playback does. */
+  private forgetAfterJump({ scene, blend }: LabelSource): void {
+    const position = blend.first + blend.weight;
+    if (Math.abs(position - this.position) > JUMP * scene.frames.count) this.slots.clear();
+    this.position = position;
+  }
+
+  /** Sets the slots of all boxes. Labels keep their placement; displaced ones look for a nearer one from time to time. */
+  private placeAll(boxes: LabelBox[], occupancy: Occupancy): Labels["slots"] {
+    const now = performance.now();
+    const slots: Labels["slots"] = new Map();
+    for (const box of boxes) {
+      const known = this.slots.get(box.label.key);
+      if (!known) continue;
+      const recent = now - known.since < DWELL;
+      if (!recent && known.slot >= NEAR_SLOTS) continue;
+      if (!occupancy.occupy(box, known.slot, !recent)) continue;
+      box.slot = known.slot;
+      slots.set(box.label.key, known);
+    }
+    for (const box of boxes) {
+      if (box.slot >= 0) continue;
+      box.slot = occupancy.place(box, box.label.kind === "marker" ? SLOTS : NEAR_SLOTS);
+      if (box.slot >= 0) slots.set(box.label.key, { slot: box.slot, since: now });
+    }
+    return slots;
   }
 
   /** Box of a label: a line for its name, and lines for its values. */

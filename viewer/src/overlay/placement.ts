@@ -30,6 +30,8 @@ export interface PlacedBox {
   height: number;
 }
 
+/** Number of placements at the smallest distance. */
+export const NEAR_SLOTS = DIRECTIONS.length;
 /** Number of placements of a box. */
 export const SLOTS = DISTANCES.length * DIRECTIONS.length;
 
@@ -74,25 +76,18 @@ export class Occupancy {
   ) {}
 
   /**
-   * Placement of a box in the nearest free slot; -1 if there is none. Of several at the same distance, `preferred` is the
-   * first. Boxes do not cover symbols and lines of other boxes unless there is no other slot.
+   * Occupies the nearest free slot of a box and returns it; -1 if there is none. Boxes do not cover symbols and lines of
+   * other boxes unless there is no other slot.
    */
-  place(box: PlacedBox, preferred: number, slots: number): number {
-    const directions = DIRECTIONS.length;
+  place(box: PlacedBox, slots: number): number {
     for (const strict of [true, false]) {
-      for (let first = 0; first < slots; first += directions) {
-        const start = preferred >= first && preferred < first + directions ? -1 : 0;
-        for (let i = start; i < directions; i++) {
-          const slot = i < 0 ? preferred : first + i;
-          if (this.occupy(box, slot, strict)) return slot;
-        }
-      }
+      for (let slot = 0; slot < slots; slot++) if (this.occupy(box, slot, strict)) return slot;
     }
     return -1;
   }
 
-  /** Occupies a slot. Returns false, without a change, if it is not free. */
-  private occupy(box: PlacedBox, slot: number, strict: boolean): boolean {
+  /** Occupies a slot. Returns false, without a change, if it is not free, or, if `strict`, not clear of symbols and lines. */
+  occupy(box: PlacedBox, slot: number, strict: boolean): boolean {
     const rectangle = slotRectangle(box, slot);
     const line: Segment = [box.point, nearestPoint(rectangle, box.point)];
     if (!this.isFree(rectangle) || (strict && !this.isClear(rectangle, line))) return false;

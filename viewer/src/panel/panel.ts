@@ -74,7 +74,10 @@ export class SidePanel {
     if (this.selected === "Reactions") this.reactions.show(blend, caption);
     if (this.selected !== "Shapes") return;
     for (const button of this.shapes.querySelectorAll("button")) {
-      button.setAttribute("aria-pressed", String(button.dataset.frame === String(frame)));
+      const current = button.dataset.frame === String(frame);
+      const folded = button.closest("details");
+      if (current && folded && button.getAttribute("aria-pressed") !== "true") folded.open = true;
+      button.setAttribute("aria-pressed", String(current));
     }
   }
 

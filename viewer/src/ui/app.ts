@@ -112,7 +112,8 @@ export class App {
     this.gridNote.textContent = `grid ${formatQuantity(gridSpacing(scene), scene.units?.length ?? "")}`;
     this.reference = this.viewport?.load(scene) ?? this.reference;
     this.viewport?.apply(this.settings.values);
-    if (!update) this.viewport?.camera.setInitialView();
+    if (update) this.viewport?.camera.keepFitted();
+    else this.viewport?.camera.setInitialView();
   }
 
   /** Creates the viewport. Returns false if the browser has no WebGL 2. */

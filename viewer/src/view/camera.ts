@@ -21,12 +21,6 @@ export interface Rectangle {
 /** Space around the motion in pixels: half of a symbol, and a gap. */
 const PADDING = 14;
 
-/** Projection of the points onto the axes of the camera, and the distance that frames them. */
-interface Fit {
-  /** Centre of the picture in camera axes; the third number is that of the camera. */
-  position: Vector;
-}
-
 export class Camera {
   readonly camera = new THREE.PerspectiveCamera(30, 1, 0.01, 100);
   readonly controls: OrbitControls;
@@ -103,6 +97,11 @@ export class Camera {
     this.lookFrom(new THREE.Vector3(...this.direction));
   }
 
+  /** Fits new data into the free area, unless the user has moved the camera. */
+  keepFitted(): void {
+    if (this.fitted) this.fit();
+  }
+
   private lookFrom(direction: THREE.Vector3): void {
     const { up, toward } = this.axes;
     // The controls require a small angle between the direction and the vertical axis.
@@ -110,7 +109,7 @@ export class Camera {
     const right = new THREE.Vector3().crossVectors(up, direction).normalize();
     const upward = new THREE.Vector3().crossVectors(direction, right);
     const points = this.cameraCoordinates(right, upward, direction);
-    const fits = this.freeAreas().map((area) => ({ area, ...this.fitInto(area, points) }));
+    const fits = this.freeAreas().map((area) => ({ area, position: this.fitInto(area, points) }));
     const best = fits.reduce((a, b) => (b.position[2] < a.position[2] ? b : a));
     this.free = best.area;
     this.updateOffset();
@@ -146,10 +145,10 @@ export class Camera {
   }
 
   /**
-   * Position of the camera from which all points appear in a rectangle. A point is inside the frustum if
+   * Position of the camera, in camera axes, from which all points appear in a rectangle. A point is inside the frustum if
    * |x - cx| <= t (cz - z) in camera axes; the extremes of x + t z and x - t z give cx and the least cz.
    */
-  private fitInto({ left, top, right, bottom }: Rectangle, points: Spheres): Fit {
+  private fitInto({ left, top, right, bottom }: Rectangle, points: Spheres): Vector {
     const half = Math.tan((this.camera.fov * Math.PI) / 360);
     const slopes = [right - left, bottom - top].map(
       (size) => (half * Math.max(40, size - 2 * PADDING)) / Math.max(1, this.height),
@@ -166,15 +165,16 @@ export class Camera {
       position[k] = 0.5 * (most + least);
       position[2] = Math.max(position[2], (most - least) / (2 * slope));
     });
-    return { position };
+    return position;
   }
 
   /** Sets the size of the view. A view that the user has not moved is fitted again. */
   resize(width: number, height: number): void {
     [this.width, this.height] = [width, height];
     this.camera.aspect = width / Math.max(1, height);
-    if (this.fitted && this.camera.position.lengthSq() > 0) this.fit();
-    else this.updateOffset();
+    // The first direction of view is set after the first size.
+    if (this.camera.position.lengthSq() > 0) this.keepFitted();
+    if (!this.fitted) this.updateOffset();
   }
 
   /** Shifts the centre of the picture into that of the free area. */

@@ -114,8 +114,11 @@ void main() {
   if (coloured) {
     base = missing > 0.0 ? vec3(0.6) : texture(colours, vec2(mix(window.x, window.y, level), 0.5)).rgb;
   }
-  vec2 edge = (1.0 - abs(onFace)) / max(fwidth(onFace), 1e-6);
-  float line = 1.0 - smoothstep(0.8, 1.8, min(edge.x, edge.y));
+  vec2 size = max(fwidth(onFace), 1e-6);
+  vec2 edge = (1.0 - abs(onFace)) / size;
+  // Lines fade out on faces of a few pixels.
+  vec2 lines = (1.0 - smoothstep(0.8, 1.8, edge)) * (1.0 - smoothstep(0.1, 0.3, size));
+  float line = max(lines.x, lines.y);
   colour = vec4(shade(base, viewNormal, viewPosition) * (1.0 - 0.55 * line), 1.0);
 }
 `;

@@ -36,7 +36,8 @@
 //! stations at nodes of the mesh, counted from the first station of all. `box` has half of the edges along the three directors
 //! of a rigid body, or three times the radius of a point mass.
 //!
-//! In modal and buckling analyses, each shape is a frame with a maximum displacement of a tenth of the size.
+//! In modal and buckling analyses, each shape is a frame with a maximum displacement of a tenth of the size, or less if bodies
+//! would cross each other.
 
 use serde_json::{Value, json};
 

@@ -1,6 +1,7 @@
 //! Scene of a run as one binary [`container`], and the HTML page around it.
 
 mod builder;
+mod clearance;
 pub mod container;
 mod drawn_frames;
 mod entries;
@@ -14,6 +15,7 @@ pub use builder::{BUDGET, scene};
 pub(crate) use drawn_frames::fits;
 pub(crate) use frame_label::frame_label;
 pub(crate) use mode_shape::displaced;
+pub use mode_shape::shape_factor;
 pub(crate) use page::gzipped;
 pub use page::{live_page, page};
 pub(crate) use scene_layout::SceneLayout;

@@ -10,3 +10,4 @@ mod paraview;
 mod scene;
 mod server;
 mod shapes;
+mod stresses;

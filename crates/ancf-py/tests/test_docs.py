@@ -129,8 +129,6 @@ def slurm() -> ModuleType:
     return module  # type: ignore[no-any-return]
 
 
-# Pages about coarse meshes and buckling have warnings.
-@pytest.mark.filterwarnings("ignore::ancf.AnalysisWarning")
 @pytest.mark.parametrize("page", runnable(), ids=lambda page: str(page.relative_to(ROOT)))
 def test_blocks_run(page: Path, folder: Path) -> None:
     space: dict[str, object] = {"__name__": "__main__"}

@@ -56,7 +56,7 @@ mod scene;
 mod serve;
 
 pub use run::{Ending, Recording, Snapshot, summary_rows, summary_warnings};
-pub use scene::{BUDGET, container, live_page, page, scene};
+pub use scene::{BUDGET, container, live_page, page, scene, shape_factor};
 pub use serve::{SceneSource, Server, StopFlag};
 
 /// Colour maps of quantities in JSON, for the browser and for other programs.

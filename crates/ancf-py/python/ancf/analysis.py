@@ -94,10 +94,19 @@ def run(
     _, duration = simulation.analysis
     observer = None if callback is None else CallbackObserver(callback)
     with Bar(duration, progress) as bar:
-        result = run_simulation(simulation, states, observer, bar.tick)
-    for text in result.summary.get("warnings", []):
-        warnings.warn(text, AnalysisWarning, stacklevel=stack_level())
+        try:
+            result = run_simulation(simulation, states, observer, bar.tick)
+        except AnalysisError as error:
+            warn(error.result)
+            raise
+    warn(result)
     return result
+
+
+def warn(result: Result | None) -> None:
+    """Issue the warnings of a run. Those of a failed run may state its cause."""
+    for text in [] if result is None else result.summary.get("warnings", []):
+        warnings.warn(text, AnalysisWarning, stacklevel=stack_level())
 
 
 def stack_level() -> int:

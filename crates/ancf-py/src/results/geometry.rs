@@ -4,14 +4,19 @@ use std::sync::Arc;
 
 use ancf::model::{Body, Section};
 use ancf::solver::equations::State;
+use ancf::units::Dimension;
 use ancf::{Model, Simulation};
-use ancf_report::geometry::{self, ARM, Link, Outline, Symbols};
+use ancf_report::geometry::{self, ARM, Geometry, Link, Outline, Symbols};
+use ancf_report::shape_factor;
 use numpy::{PyArray1, PyArray2, PyArray3, PyArrayMethods};
 use pyo3::exceptions::{PyKeyError, PyValueError};
 use pyo3::prelude::*;
 
 use crate::input::{DataReader, deserialize_part, valid_model};
 use crate::run::States;
+
+/// Stations per element from which the factor of a shape is computed.
+const PARTS: u32 = 4;
 
 /// Edges and principal axes of a box.
 type EdgesAndAxes<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray2<f64>>);
@@ -106,6 +111,16 @@ impl ModelGeometry {
         PyArray1::from_slice(py, offsets.as_flattened()).reshape([offsets.len(), 3])
     }
 
+    /// Returns the factor of the shape of a mode in figures, as in reports: bodies do not cross.
+    fn shape_factor(&self, py: Python<'_>, frame: usize, size: f64) -> PyResult<f64> {
+        let state = self.states.get().state(frame, true)?;
+        py.detach(|| {
+            let (assembly, scales) = (self.simulation.assembly(), self.simulation.scales());
+            let geometry = Geometry::new(&self.model, assembly, scales, PARTS, size);
+            Ok(shape_factor(&geometry, &state, size) / self.shape_unit())
+        })
+    }
+
     /// Returns names, kinds and positions `[symbol, 3]` of joints, probes and loads in a frame.
     ///
     /// Deflections are multiplied by `scale`.
@@ -144,7 +159,14 @@ impl ModelGeometry {
 impl ModelGeometry {
     fn deflected(&self, frame: usize, scale: f64, modal: bool) -> PyResult<State> {
         let state = self.states.get().state(frame, modal)?;
+        let scale = if modal { scale * self.shape_unit() } else { scale };
         Ok(deflected(&state, &self.simulation.assembly().rest(), scale, modal))
+    }
+
+    /// Ratio of a shape in the user's units, which are those of a velocity, to its coordinates in the user's unit of length.
+    fn shape_unit(&self) -> f64 {
+        let scales = self.simulation.scales();
+        scales.unit(Dimension::VELOCITY) / scales.unit(Dimension::LENGTH)
     }
 
     fn body(&self, name: &str) -> PyResult<&Body> {

@@ -137,18 +137,18 @@ type Pickled<'py> =
 impl States {
     /// Computes a field at the stations along all bodies in all or some frames: [frame, station, number].
     ///
-    /// Strains and stresses are those at an offset (y, z) of the section.
-    #[pyo3(signature = (name, parts, frames=None, offset=[0.0, 0.0]))]
+    /// Strains and stresses are those at an offset (y, z) of the section; on the axis by default.
+    #[pyo3(signature = (name, parts, frames=None, offset=None))]
     fn field<'py>(
         &self,
         py: Python<'py>,
         name: &str,
         parts: i64,
         frames: Option<Vec<usize>>,
-        offset: [f64; 2],
+        offset: Option<[f64; 2]>,
     ) -> PyResult<Bound<'py, PyArray3<f64>>> {
         let frames = self.checked_frames(frames)?;
-        let quantity = StationQuantity::from_name(name, offset)?;
+        let quantity = StationQuantity::from_name(name, offset.unwrap_or_default())?;
         self.require(&format!("field {name:?}"), quantity.is_positional())?;
         let parts = checked_parts(parts)?;
         let signals = Signals::default();

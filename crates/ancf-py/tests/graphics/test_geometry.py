@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -11,6 +12,8 @@ import ancf
 from ancf import _ancf
 from ancf.graphics.lines import Lines
 from ancf.graphics.space.scene import Scene
+
+MODELS = Path(__file__).parents[4] / "models"
 
 SECTIONS = [
     ({"kind": "circle", "diameter": 0.2}, [0.1, 0.1]),
@@ -143,3 +146,27 @@ def test_joints_of_modes_move_with_the_shape() -> None:
     # The arm of 0.5 m beyond the end turns with the end of the rod.
     assert np.linalg.norm(arm - end) == pytest.approx(0.5, rel=0.05)
     assert np.linalg.norm(arm - [1.5, 0, 0]) > 1.3 * np.linalg.norm(end - [1, 0, 0])
+
+
+@pytest.mark.parametrize("scales", ["none", "auto"])
+def test_bodies_of_modes_do_not_cross(scales: str) -> None:
+    model = ancf.Model.read(MODELS / "tuning_fork.toml").to_dict() | {"scales": {"kind": scales}}
+    run = ancf.modes(model, 12)
+    lines = Lines(run)
+    assert lines.shapes is not None
+    gap = np.linalg.norm(
+        lines.path[0][lines.bodies["left"]] - lines.path[0][lines.bodies["right"]], axis=1
+    ).min()
+    for mode in range(6, 12):
+        factor = lines.scale(mode)
+        assert 0 < factor * np.linalg.norm(lines.shapes[mode], axis=1).max() < 0.11 * lines.size
+        for sign in (1, -1):
+            at = lines.positions(mode, sign * factor)
+            apart = np.linalg.norm(at[lines.bodies["left"]] - at[lines.bodies["right"]], axis=1)
+            assert apart.min() > 0.1 * gap
+        # Symbols move with the bodies, in all units of the solver.
+        moved = (
+            lines.symbols(mode, factor)["probe"]["left tip"] - lines.symbols(mode, 0.0)["probe"]["left tip"]
+        )
+        shape = [run[f"left tip.{axis}"][mode] for axis in "xyz"]
+        np.testing.assert_allclose(moved, factor * np.array(shape), atol=1e-9)

@@ -92,7 +92,6 @@ def completed(model: ancf.Model | Path) -> ancf.Result:
         return error.result
 
 
-@pytest.mark.filterwarnings("ignore::ancf.AnalysisWarning")
 @pytest.mark.parametrize("path", FOUND, ids=lambda path: path.stem)
 def test_a_random_model_has_equal_results_as_objects(path: Path, tmp_path: Path) -> None:
     """A model that is read as objects and written again has results with the same bits."""

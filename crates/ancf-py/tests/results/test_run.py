@@ -337,3 +337,6 @@ def test_warnings_of_a_run_are_warnings_of_python(bar: dict[str, Any]) -> None:
         assert [str(warning.message) for warning in caught] == result.summary["warnings"]
         assert caught[0].filename == __file__
         assert f"{len(caught)} warning" in repr(result)
+    # The warnings of a failed run may state its cause.
+    with pytest.warns(ancf.AnalysisWarning, match="shear locking"), pytest.raises(ancf.AnalysisError):
+        ancf.run(coarse | {"joints": []})

@@ -35,8 +35,6 @@ class Log:
         return Path(self._file).stat().st_size if Path(self._file).exists() else 0
 
 
-# A single element of the formulation of the bar locks.
-@pytest.mark.filterwarnings("ignore:.*shear locking:ancf.AnalysisWarning")
 def test_a_sweep_equals_single_runs(bar: dict[str, Any]) -> None:
     study = ancf.study(bar, {"elements": [1, 3], "gravity[1]": [-9.81, -1.62]}, {"tip": "tip.y"})
     assert list(study.table["elements"]) == [1, 1, 3, 3]

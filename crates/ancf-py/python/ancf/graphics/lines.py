@@ -12,9 +12,6 @@ from ancf.record.columns import Array
 if TYPE_CHECKING:
     from ancf.record.result_data import ResultData
 
-MODE_AMPLITUDE = 0.15
-"""Maximum drawn amplitude of a mode shape, relative to the size of the model."""
-
 
 class Lines:
     """Lines along the axes of all bodies in each frame of a result."""
@@ -49,11 +46,8 @@ class Lines:
         return float(np.linalg.norm(np.ptp(points, axis=0))) or 1.0
 
     def scale(self, row: int) -> float:
-        """Return the default factor of deflections: 1, and for a shape the factor of `MODE_AMPLITUDE`."""
-        if self.shapes is None:
-            return 1.0
-        greatest = float(np.linalg.norm(self.shapes[row], axis=1).max())
-        return MODE_AMPLITUDE * self.size / greatest if greatest > 0 else 1.0
+        """Return the default factor of deflections: 1, and that of the report for a shape. Bodies do not cross."""
+        return self.geometry.shape_factor(row, self.size) if self.modal else 1.0
 
     def positions(self, row: int, scale: float | None = None) -> Array:
         """Return the positions in a frame with deflections multiplied by `scale`, `[station, 3]`."""

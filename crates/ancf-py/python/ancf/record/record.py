@@ -131,7 +131,7 @@ class Record(Columns):
             msg = f"offset: found {offset!r} of the field {name!r}, wanted that of 'strain' or 'stress'"
             raise ValueError(msg)
         if name in STATION_FIELDS:
-            return self.states.field(name, parts, frames, (0.0, 0.0) if offset is None else offset)
+            return self.states.field(name, parts, frames, offset)
         scalars = self._scalar_fields(parts, frames)
         if name not in scalars:
             msg = f"field: {unknown_name('field', name, [*STATION_FIELDS, *scalars])}"

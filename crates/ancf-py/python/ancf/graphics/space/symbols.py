@@ -66,6 +66,7 @@ class Symbols:
         self.model: Mapping[str, Any] = scene.model
         self.size = scene.lines.size
         self._joints = {joint["name"]: joint for joint in self.model.get("joints", [])}
+        self._places = {probe["name"]: probe["on"]["body"] for probe in self.model.get("probes", [])}
         self._thickness = dict(self._thicknesses())
         reactions = {} if scene.lines.modal else scene.result.reactions
         self._forces = {name: reaction.force for name, reaction in reactions.items()}
@@ -82,7 +83,7 @@ class Symbols:
             ],
             "ground": [self._support(*support, row) for support in self._supports(symbols["joint"], links)],
             "links": [self._link(*link) for _, link in links],
-            "probes": [_sphere(at, PROBE * self.size, 16) for at in symbols["probe"].values()],
+            "probes": [self._probe(name, at) for name, at in symbols["probe"].items()],
             "reactions": [_arrow(start, end) for _, start, end in self.arrows(row, symbols["joint"])],
             "gravity": [_arrow(*ends) for ends in self.gravity()],
             "obstacles": list(self._planes()),
@@ -153,11 +154,18 @@ class Symbols:
         import pyvista as pv
 
         joint = self._joints[name]
-        around = 1.25 * self._thickness.get(joint["a"]["body"], 0.0)
-        radius = min(max(JOINT * self.size, around), 2 * JOINT * self.size)
+        radius = self._visible(JOINT, joint["a"]["body"])
         if joint["kind"] in {"clamp", "drive"}:
             return pv.Cube(center=at, x_length=1.7 * radius, y_length=1.7 * radius, z_length=1.7 * radius)
         return _sphere(at, radius, 20)
+
+    def _probe(self, name: str, at: Array) -> PolyData:
+        """Return a sphere that encloses a thin body."""
+        return _sphere(at, self._visible(PROBE, self._places[name]), 16)
+
+    def _visible(self, radius: float, body: str) -> float:
+        """Return a relative radius times the size of the model, enlarged up to a factor of 2 to enclose a body."""
+        return min(max(radius * self.size, 1.25 * self._thickness.get(body, 0.0)), 2 * radius * self.size)
 
     def _supports(
         self, joints: Mapping[str, Array], links: list[tuple[str, Any]]
@@ -189,7 +197,7 @@ class Symbols:
             normal = np.array(self.scene.directors[row, stations][nearest, 0])
             # The plate is on the side without the body.
             outward = normal if nearest > len(own) / 2 else -normal
-            edge = max(edge, 2.6 * self._thickness.get(joint["a"]["body"], 0.0))
+            edge = max(edge, 1.7 * self._thickness.get(joint["a"]["body"], 0.0))
             thickness = 0.2 * edge
             plate = pv.Cube(x_length=thickness, y_length=2 * edge, z_length=2 * edge)
             return _placed(plate, at + 0.5 * thickness * outward, outward)

@@ -47,8 +47,3 @@ export function formatQuantity(x: number, unit: string, reference = x): string {
   const number = formatNumber(x / size);
   return name === "" ? number : `${number} ${name}`;
 }
-
-/** Name of a product of force and length: that of energies if the units are SI. */
-export function energyUnit(unit: string): string {
-  return unit === "N m" ? "J" : unit;
-}

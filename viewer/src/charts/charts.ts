@@ -1,7 +1,6 @@
 // Charts of probes, energies and the solver, linked to the time of the animation.
 
 import { h } from "../base/dom";
-import { energyUnit } from "../base/units";
 import type { Chart, Scene } from "../scene/scene";
 import type { Abscissa } from "./abscissa";
 import { ChartFigure, type FigureState } from "./figure";
@@ -38,7 +37,7 @@ export class Charts {
 
   load(scene: Scene, abscissa: Abscissa): void {
     this.abscissa = abscissa;
-    this.all = scene.charts.map((chart) => (chart.group === "energy" ? inJoules(chart) : chart));
+    this.all = scene.charts;
     this.magnitudes = new ColumnMagnitudes(this.all);
     const groups = [...new Set(this.all.map((c) => c.group))];
     if (!groups.includes(this.group)) this.group = groups[0] ?? "";
@@ -118,9 +117,4 @@ export class Charts {
     this.x = x;
     for (const figure of this.figures) figure.show(x);
   }
-}
-
-/** Chart of energies with their SI unit. */
-function inJoules(chart: Chart): Chart {
-  return { ...chart, columns: chart.columns.map((c) => ({ ...c, unit: energyUnit(c.unit) })) };
 }

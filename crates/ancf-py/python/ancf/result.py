@@ -10,7 +10,6 @@ from ancf.display.tables import Table, collapsible, joined, representation, titl
 from ancf.graphics.animation import Animations
 from ancf.graphics.curves import CurvePlots
 from ancf.graphics.space.stage import Scenes
-from ancf.record.columns import shown_unit
 from ancf.report import Report
 
 if TYPE_CHECKING:
@@ -64,7 +63,7 @@ class Result(CurvePlots, Animations, Scenes):
 
     def _repr_html_(self) -> str:
         columns = {name: self[name] for name in self.columns}
-        units = {name: shown_unit(name, unit) for name, unit in self.units.items()}
+        units = self.units
         title = str(self.model.get("title") or "")
         names = f"columns ({len(columns)}): first, last, minimum and maximum"
         table = collapsible(names, numbers_table(columns, units).html(), is_open=False)

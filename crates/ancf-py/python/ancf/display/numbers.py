@@ -41,11 +41,6 @@ def with_unit(text: str, unit: str | None, separator: str = ", ") -> str:
     return f"{text}{separator}{unit}" if text else str(unit)
 
 
-def energy_unit(unit: str | None) -> str | None:
-    """Return the unit of energies and work: J instead of N m, which remains the unit of moments."""
-    return "J" if unit == "N m" else unit
-
-
 def display_unit(size: float, unit: str | None) -> tuple[float, str]:
     """Return factor and unit that give numbers up to a size few digits, such as 1e-6 and MPa.
 

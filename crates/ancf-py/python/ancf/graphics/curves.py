@@ -9,7 +9,7 @@ import numpy as np
 from ancf.display.numbers import with_unit
 from ancf.graphics.shapes import Grid, ShapePlots
 from ancf.graphics.style import grid, style
-from ancf.record.columns import ENERGIES, JOINT_COORDINATES, VECTORS, Array, shown_unit
+from ancf.record.columns import ENERGIES, JOINT_COORDINATES, VECTORS, Array
 from ancf.record.suggestion import unknown_name
 from ancf.record.views import Probe
 
@@ -206,7 +206,7 @@ def _common_quantity(labels: list[str]) -> str:
 def _common_unit(result: ResultData, labels: Iterable[str]) -> str | None:
     """Return the common unit of columns, if any."""
     # The total energy is not a column.
-    found = {shown_unit(label, result.units.get("strain" if label == "total" else label)) for label in labels}
+    found = {result.units.get("strain" if label == "total" else label) for label in labels}
     return found.pop() if len(found) == 1 else None
 
 

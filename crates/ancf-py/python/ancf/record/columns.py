@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 
-from ancf.display.numbers import energy_unit
 from ancf.record.suggestion import unknown_name
 
 Array = np.typing.NDArray[np.float64]
@@ -23,26 +22,11 @@ VECTORS: dict[str, tuple[str, ...]] = {
 }
 """Suffixes of the columns of each vector, after the name of the probe or the joint."""
 
-ANGULAR_RATES = ("rate", *VECTORS["angular_velocity"])
-"""Suffixes of the columns of angular velocities."""
-
 JOINT_COORDINATES = ("angle", "rate", "displacement", "speed", "position", "length")
 """Suffixes of the columns of joint coordinates and their rates."""
 
 ENERGIES = ("kinetic", "strain", "potential", "work", "dissipated", "balance")
 """Columns of energies."""
-
-
-def shown_unit(column: str, unit: str | None) -> str | None:
-    """Return the unit of a column for labels: J for energies, rad for angles. The total energy is no column."""
-    suffix = column.rpartition(".")[2]
-    if column in {*ENERGIES, "total"}:
-        return energy_unit(unit)
-    if suffix == "angle" and unit == "1":
-        return "rad"
-    if suffix in ANGULAR_RATES and unit is not None and unit.startswith("1/"):
-        return f"rad{unit[1:]}"
-    return unit
 
 
 class Columns:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Generic, TypeVar
 
 from ancf.display.numbers_table import numbers_table
 from ancf.display.tables import Table, representation, titled
-from ancf.record.columns import ENERGIES, JOINT_COORDINATES, VECTORS, Array, Columns, shown_unit
+from ancf.record.columns import ENERGIES, JOINT_COORDINATES, VECTORS, Array, Columns
 from ancf.record.suggestion import unknown_name
 
 if TYPE_CHECKING:
@@ -64,7 +64,7 @@ class View:
         raise NotImplementedError
 
     def _unit(self, column: str) -> str | None:
-        return shown_unit(column, self._columns.units.get(column))
+        return self._columns.units.get(column)
 
     def _table(self) -> Table:
         own = self._own()

@@ -214,10 +214,10 @@ mod tests {
     #[test]
     fn the_classes_of_python_are_up_to_date() {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/model.schema.json");
-        let wanted = files(&fs::read_to_string(path).expect("the schema")).expect("classes");
+        let expected = files(&fs::read_to_string(path).expect("the schema")).expect("classes");
         let found = generated().expect("the folder");
         assert!(
-            found == wanted,
+            found == expected,
             "crates/ancf-py/python/ancf/model is stale: refresh it by `cargo xtask schema`"
         );
     }

@@ -80,7 +80,7 @@ pub(crate) fn check_places<'py>(
     for (path, value) in first_values {
         reader.begin_at(&path);
         let Some(value) = reader.read(&value)? else {
-            return Err(PyTypeError::new_err(format!("{path}: found None, wanted a value")));
+            return Err(PyTypeError::new_err(format!("{path}: found None, expected a value")));
         };
         values.push((path, value));
     }

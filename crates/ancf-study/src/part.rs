@@ -18,7 +18,7 @@ impl FromStr for StudyPart {
             text.split_once('/').and_then(|(k, n)| Some((k.trim().parse().ok()?, n.trim().parse().ok()?)));
         match parts {
             Some((k, n)) if 1 <= k && k <= n => Ok(Self { k, n }),
-            _ => Err("wanted K/N with K from 1 to N, such as 3/10".into()),
+            _ => Err("expected K/N with K from 1 to N, such as 3/10".into()),
         }
     }
 }

@@ -1,4 +1,4 @@
-//! Refinement of the mesh of a model file to a wanted error.
+//! Refinement of the mesh of a model file to a requested error.
 
 use std::io;
 use std::ops::ControlFlow;
@@ -14,7 +14,7 @@ use crate::terminal::print_status;
 pub fn wanted_error(text: &str) -> Result<f64, String> {
     let (number, unit) = text.strip_suffix('%').map_or((text, 1.0), |number| (number, 0.01));
     match number.trim().parse::<f64>().map(|number| number * unit) {
-        Ok(wanted) if (1e-9..1.0).contains(&wanted) => Ok(wanted),
+        Ok(requested) if (1e-9..1.0).contains(&requested) => Ok(requested),
         _ => Err("expected a relative error between 1e-7 % and 100 %, such as 1% or 0.01".into()),
     }
 }
@@ -25,11 +25,11 @@ pub struct Refined {
     pub simulation: Simulation,
     /// Meshes so far.
     pub meshes: Vec<MeshStep>,
-    /// Reason for which the error is larger than wanted.
+    /// Reason for which the error is larger than requested.
     pub reason: Option<String>,
 }
 
-/// Runs a model on finer meshes until the estimated error is as small as wanted, or cannot be reduced. `simulation` is that of the
+/// Runs a model on finer meshes until the estimated error is as small as requested, or cannot be reduced. `simulation` is that of the
 /// model.
 ///
 /// # Errors
@@ -37,10 +37,10 @@ pub struct Refined {
 pub fn refine(
     mut model: Model,
     mut simulation: Simulation,
-    wanted: f64,
+    requested: f64,
     interrupt: &Interrupt,
 ) -> anyhow::Result<Refined> {
-    let mut refinement = Refinement::new(wanted);
+    let mut refinement = Refinement::new(requested);
     loop {
         simulation = simulation.with_interrupt(interrupt.clone());
         let summary = simulation.run(&mut (&mut Discard as &mut dyn Sink)).map_err(Error::from)?;

@@ -109,7 +109,7 @@ impl RunArguments {
             Recorder::new(Folder::new(folder), &name, text, model, simulation)
                 .with_checkpoints(self.checkpoint)
         };
-        let Some(wanted) = self.to else {
+        let Some(requested) = self.to else {
             let simulation = simulation.with_interrupt(interrupt()?);
             let recorder = recorder(&text, &model, &simulation);
             return record(&model, recorder, |observer| Ok(simulation.run(observer)?));
@@ -119,14 +119,15 @@ impl RunArguments {
                 "--to: refines the meshes of statics, modes and buckling; `--errors` states the errors of motions",
             ));
         }
-        let Refined { model, simulation, meshes, reason } = refine(model, simulation, wanted, &interrupt()?)?;
+        let Refined { model, simulation, meshes, reason } =
+            refine(model, simulation, requested, &interrupt()?)?;
         let text = with_elements(&text, &model)?;
         let recorder = recorder(&text, &model, &simulation);
         record(&model, recorder, |observer| {
             let mut summary = simulation.run(observer)?;
             summary.meshes = meshes;
-            let more =
-                reason.map(|reason| format!("the error of {} is not reached: {reason}", percentage(wanted)));
+            let more = reason
+                .map(|reason| format!("the error of {} is not reached: {reason}", percentage(requested)));
             summary.warnings.extend(more);
             Ok(summary)
         })

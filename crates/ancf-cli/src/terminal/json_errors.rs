@@ -23,7 +23,7 @@ struct JsonError {
     /// Value found.
     found: Option<String>,
     /// Value required.
-    wanted: Option<String>,
+    expected: Option<String>,
     /// Suggestion.
     hint: Option<String>,
     /// Complete message in one line.
@@ -39,7 +39,7 @@ impl JsonErrors {
             column: error.at.as_ref().map(|at| at.column),
             path: Some(error.path.clone()).filter(|path| !path.is_empty()),
             found: Some(error.found.clone()),
-            wanted: Some(error.wanted.clone()).filter(|wanted| !wanted.is_empty()),
+            expected: Some(error.expected.clone()).filter(|expected| !expected.is_empty()),
             hint: error.hint.clone(),
             message: error.to_string(),
         };

@@ -24,7 +24,7 @@ pub fn render(errors: &[ModelError], file: &str, text: &str) -> String {
     }
 }
 
-/// Returns `file:line:column: path: found this, wanted that (hint)`, one error per line.
+/// Returns `file:line:column: path: found this, expected that (hint)`, one error per line.
 fn lines(errors: &[ModelError], file: &str) -> String {
     let separator = |error: &ModelError| if error.at.is_some() { ":" } else { ": " };
     errors.iter().map(|error| format!("{file}{}{error}\n", separator(error))).collect()
@@ -47,11 +47,11 @@ fn snippets(errors: &[ModelError], file: &str, text: &str, is_coloured: bool) ->
 fn report<'a>(error: &'a ModelError, file: &'a str, text: &'a str) -> Group<'a> {
     let path = if error.path.is_empty() { file } else { &error.path };
     let hint = error.hint.iter().map(|hint| Level::HELP.message(hint.as_str()));
-    if error.wanted.is_empty() {
+    if error.expected.is_empty() {
         return Level::ERROR.primary_title(format!("{path}: {}", error.found)).elements(hint);
     }
     let title = Level::ERROR.primary_title(format!("{path}: found {}", error.found));
-    let wanted = format!("wanted {}", error.wanted);
+    let expected = format!("expected {}", error.expected);
     // Positions refer to the file as it was read, which may have changed.
     let place = error
         .at
@@ -59,10 +59,10 @@ fn report<'a>(error: &'a ModelError, file: &'a str, text: &'a str) -> Group<'a> 
         .map(|at| at.bytes.clone())
         .filter(|place| !text.is_empty() && text.get(place.clone()).is_some());
     let Some(place) = place else {
-        return title.element(Level::HELP.message(wanted)).elements(hint);
+        return title.element(Level::HELP.message(expected)).elements(hint);
     };
-    let is_short = wanted.chars().count() <= LABEL_LENGTH;
-    let (label, below) = if is_short { (Some(wanted), None) } else { (None, Some(wanted)) };
+    let is_short = expected.chars().count() <= LABEL_LENGTH;
+    let (label, below) = if is_short { (Some(expected), None) } else { (None, Some(expected)) };
     let annotation = AnnotationKind::Primary.span(place).label(label);
     let help = below.into_iter().chain(error.hint.clone()).map(|text| Level::HELP.message(text));
     title.element(Snippet::source(text).path(file).annotation(annotation)).elements(help)
@@ -79,11 +79,11 @@ mod tests {
         let errors = Model::parse("gravity = [0, 1]\noutputs = 3").expect_err("no model");
         let lines = lines(&errors, "a.toml");
         assert!(
-            lines.contains("\na.toml:1:11: gravity: found an array of 2, wanted an array of 3 numbers\n"),
+            lines.contains("\na.toml:1:11: gravity: found an array of 2, expected an array of 3 numbers\n"),
             "{lines}"
         );
         assert!(
-            lines.ends_with(" (did you mean `output`?)\na.toml:2:11: outputs: found 3, wanted a table\n"),
+            lines.ends_with(" (did you mean `output`?)\na.toml:2:11: outputs: found 3, expected a table\n"),
             "{lines}"
         );
     }
@@ -98,10 +98,10 @@ mod tests {
         for part in [
             "found unknown key `outputs`",
             "did you mean `output`?",
-            "wanted an array of 3 numbers",
+            "expected an array of 3 numbers",
             "a.toml:1:11",
             "a.toml:2:1",
-            "1 | gravity = [0, 1] | ^^^^^^ wanted an array of 3 numbers",
+            "1 | gravity = [0, 1] | ^^^^^^ expected an array of 3 numbers",
             "5 errors",
         ] {
             assert!(

@@ -89,7 +89,7 @@ fn several_files_are_checked() {
     let json: Value = serde_json::from_str(&checked.printed).unwrap();
     assert_eq!(json["files"][0]["diagnosis"]["bodies"]["beam"], 1);
     assert_eq!(json["files"][1]["errors"][0]["found"], "no such file");
-    assert_eq!(json["files"][1]["errors"][0]["wanted"], Value::Null);
+    assert_eq!(json["files"][1]["errors"][0]["expected"], Value::Null);
 }
 
 /// `-` is standard input, once.

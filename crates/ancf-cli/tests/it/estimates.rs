@@ -4,7 +4,7 @@ use std::fs;
 
 use crate::run_folder::{RunFolder, assert_near, root, stderr};
 
-/// The bodies are refined until the estimated error is as small as wanted. The model in the results has the last numbers of elements.
+/// The bodies are refined until the estimated error is as small as requested. The model in the results has the last numbers of elements.
 #[test]
 fn a_mesh_is_refined_to_a_wanted_error() {
     let folder = RunFolder::new();

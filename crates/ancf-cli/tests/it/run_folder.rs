@@ -58,7 +58,7 @@ impl RunFolder {
     }
 }
 
-pub fn assert_near(ours: &[f64], wanted: &[f64], tolerance: f64) {
-    let off = ours.iter().zip(wanted).any(|(x, y)| (x - y).abs() > tolerance);
-    assert!(!off && ours.len() == wanted.len(), "{ours:?} instead of {wanted:?}");
+pub fn assert_near(ours: &[f64], expected: &[f64], tolerance: f64) {
+    let off = ours.iter().zip(expected).any(|(x, y)| (x - y).abs() > tolerance);
+    assert!(!off && ours.len() == expected.len(), "{ours:?} instead of {expected:?}");
 }

@@ -139,9 +139,17 @@ fn bad_input_is_rejected() {
     let density = "density = 8030.0";
     let cases = [
         (density, "denstiy = 8030.0", ":11:1: materials.steel.denstiy: found unknown key `denstiy`"),
-        (density, "density = -8030.0", ":11:11: materials.steel.density: found -8030.0, wanted a number > 0"),
-        (density, "density = nan", ":11:11: materials.steel.density: found nan, wanted a finite number > 0"),
-        ("elements = 20", "elements = 0", ":24:12: bodies[0].elements: found 0, wanted an integer >= 1"),
+        (
+            density,
+            "density = -8030.0",
+            ":11:11: materials.steel.density: found -8030.0, expected a number > 0",
+        ),
+        (
+            density,
+            "density = nan",
+            ":11:11: materials.steel.density: found nan, expected a finite number > 0",
+        ),
+        ("elements = 20", "elements = 0", ":24:12: bodies[0].elements: found 0, expected an integer >= 1"),
         ("to = [1.0, 0.0, 0.0]", "to = [0, 0, 0]", ":23:6: bodies[0].to: found a beam of length 0"),
         ("section = \"rod\"", "", "bodies[0].section: found no key `section`"),
         ("{ body = \"beam\"", "{ body = \"bean\"", ":32:14: joints[0].a.body: found \"bean\""),
@@ -164,7 +172,7 @@ fn external_functions_are_rejected() {
         assert_eq!(output.status.code(), Some(2), "{}", stderr(&output));
         let messages = stderr(&output);
         assert_eq!(messages.lines().count(), 5, "{messages}");
-        let motor = "external.toml: joints[0].drive.time.name: found the external function \"motor\", wanted a function \
+        let motor = "external.toml: joints[0].drive.time.name: found the external function \"motor\", expected a function \
                      that the program supplies under this name\n";
         assert!(messages.contains(motor), "{messages}");
     }

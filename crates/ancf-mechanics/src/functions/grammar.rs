@@ -51,7 +51,7 @@ pub(crate) fn parse(text: &str) -> Result<SyntaxNode, ExpressionError> {
     };
     { whole }.parse(text).map_err(|failure| {
         let said = failure.inner().context().find_map(|context| match context {
-            StrContext::Expected(StrContextValue::Description(wanted)) => Some(*wanted),
+            StrContext::Expected(StrContextValue::Description(expected)) => Some(*expected),
             _ => None,
         });
         let at = text[..failure.char_span().start.min(text.len())].chars().count();

@@ -47,7 +47,9 @@ def data(model: ModelLike) -> dict[str, Any]:
         return dict(model)
     is_part = isinstance(model, Part) and not isinstance(model, Document)
     if is_part or isinstance(model, type) or not isinstance(model, HasData):
-        msg = f"model: found {model!r}, wanted an ancf.Model, its data in a dictionary, or the path of a file"
+        msg = (
+            f"model: found {model!r}, expected an ancf.Model, its data in a dictionary, or the path of a file"
+        )
         raise TypeError(msg)
     return model.to_dict()
 

@@ -19,7 +19,7 @@ class Fault:
     """Path of the key, such as ``bodies[0].material``; empty for the model as a whole."""
     found: str
     """Value that was found."""
-    wanted: str
+    expected: str
     """Values that are allowed."""
     hint: str | None
     """Suggestion, such as the key that was probably meant."""

@@ -12,11 +12,11 @@ if TYPE_CHECKING:
 class Bar:
     """Progress bar of a motion."""
 
-    def __init__(self, duration: float | None, wanted: bool | None) -> None:
+    def __init__(self, duration: float | None, expected: bool | None) -> None:
         """Prepare a bar for a motion of a duration. By default it is shown in terminals and notebooks."""
         self._bar: Any = None
         self._duration = duration
-        self._wanted = duration is not None and (is_seen() if wanted is None else wanted)
+        self._wanted = duration is not None and (is_seen() if expected is None else expected)
 
     def __enter__(self) -> Bar:
         return self

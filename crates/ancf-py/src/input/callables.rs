@@ -195,8 +195,8 @@ fn are_finite(numbers: &[f64; 3]) -> bool {
 }
 
 /// Creates the error of a callable with an invalid return value.
-fn invalid_answer(name: &str, t: f64, answer: &Bound<'_, PyAny>, wanted: &str) -> PyErr {
+fn invalid_answer(name: &str, t: f64, answer: &Bound<'_, PyAny>, expected: &str) -> PyErr {
     let found = answer.repr().map_or_else(|_| "?".to_owned(), |text| text.to_string());
     let found: String = found.chars().take(80).collect();
-    PyValueError::new_err(format!("{name} at t = {t}: found {found}, wanted {wanted}"))
+    PyValueError::new_err(format!("{name} at t = {t}: found {found}, expected {expected}"))
 }

@@ -114,11 +114,11 @@ impl DataReader {
         Ok(Value::Array(data))
     }
 
-    fn unknown(&self, any: &Bound<'_, PyAny>, wanted: &str) -> PyErr {
+    fn unknown(&self, any: &Bound<'_, PyAny>, expected: &str) -> PyErr {
         let kind = any.get_type();
         let name = kind.name().map_or_else(|_| "?".to_owned(), |name| name.to_string());
         let place = if self.path.is_empty() { "the model" } else { &self.path };
-        PyTypeError::new_err(format!("{place}: found an object of type {name}, wanted {wanted}"))
+        PyTypeError::new_err(format!("{place}: found an object of type {name}, expected {expected}"))
     }
 }
 

@@ -5,15 +5,15 @@ use ancf::model::ModelErrors;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
-/// Arguments of `ancf.Fault`: path, found, wanted, hint, line and column, text.
+/// Arguments of `ancf.Fault`: path, found, expected, hint, line and column, text.
 pub(crate) type FaultArguments = (String, String, String, Option<String>, Option<(usize, usize)>, String);
 
 /// Returns the arguments of `ancf.Fault` for each error.
 pub(crate) fn faults(errors: &[ModelError]) -> Vec<FaultArguments> {
     let arguments = |error: &ModelError| {
         let place = error.at.as_ref().map(|at| (at.line, at.column));
-        let (path, found, wanted) = (error.path.clone(), error.found.clone(), error.wanted.clone());
-        (path, found, wanted, error.hint.clone(), place, error.to_string())
+        let (path, found, expected) = (error.path.clone(), error.found.clone(), error.expected.clone());
+        (path, found, expected, error.hint.clone(), place, error.to_string())
     };
     errors.iter().map(arguments).collect()
 }

@@ -38,7 +38,7 @@ pub(crate) fn substitute<'py>(
     let mut model = reader.model(data)?;
     reader.begin_at(path);
     let Some(value) = reader.read(value)? else {
-        return Err(PyTypeError::new_err(format!("{path}: found None, wanted a value")));
+        return Err(PyTypeError::new_err(format!("{path}: found None, expected a value")));
     };
     let set = ancf::reading::substitute(&mut model, path, value);
     let set = set.map_err(|error| model_error(py, &ModelErrors(vec![error]), None))?;
@@ -51,7 +51,7 @@ pub(crate) fn to_toml(data: &Bound<'_, PyAny>) -> PyResult<String> {
     let mut reader = DataReader::default();
     let value = reader.model(data)?;
     if let Some(path) = reader.callables.first() {
-        let why = "found a function of Python, wanted what a file can say";
+        let why = "found a function of Python, expected what a file can say";
         return Err(PyTypeError::new_err(format!("{path}: {why}")));
     }
     toml::to_string(&value).map_err(value_error)

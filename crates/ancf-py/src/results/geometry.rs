@@ -45,7 +45,7 @@ pub(crate) fn outline<'py>(
 pub(crate) fn inertia_box<'py>(body: &Bound<'py, PyAny>, max_edge: f64) -> PyResult<EdgesAndAxes<'py>> {
     let py = body.py();
     let Body::Rigid(rigid) = deserialize_part::<Body>("Body", body)? else {
-        return Err(PyValueError::new_err("body: found another kind, wanted a rigid body"));
+        return Err(PyValueError::new_err("body: found another kind, expected a rigid body"));
     };
     let inertia = geometry::inertia_box(&rigid, max_edge);
     let axes = PyArray1::from_slice(py, inertia.axes.as_flattened()).reshape([3, 3])?;

@@ -31,7 +31,7 @@ impl Keep {
             "positions" => Ok(Self::Positions),
             "none" => Ok(Self::Nothing),
             _ => Err(PyValueError::new_err(format!(
-                "states: found {word:?}, wanted \"all\", \"positions\" or \"none\""
+                "states: found {word:?}, expected \"all\", \"positions\" or \"none\""
             ))),
         }
     }

@@ -22,8 +22,8 @@ pub(crate) fn states(
     let at = at.as_slice()?.as_chunks().0.to_vec();
     let frames = Frames { keep: Keep::from_word(keep)?, at, numbers: numbers.as_slice()?.to_vec() };
     let rest = simulation.simulation.assembly().rest();
-    let wanted = Frames::width(frames.keep, &rest).saturating_mul(frames.len());
-    if frames.numbers.len() != wanted {
+    let expected = Frames::width(frames.keep, &rest).saturating_mul(frames.len());
+    if frames.numbers.len() != expected {
         return Err(PyValueError::new_err("these states are not of this model"));
     }
     Ok(States::new(&simulation.simulation, model.unbind(), frames).with_text(text))

@@ -34,8 +34,8 @@ const MAX_PARTS: u32 = 1000;
 /// Checks the number of parts of an element.
 pub(crate) fn checked_parts(parts: i64) -> PyResult<u32> {
     let known = u32::try_from(parts).ok().filter(|parts| (1..=MAX_PARTS).contains(parts));
-    let wanted = || format!("parts: found {parts}, wanted an integer from 1 to {MAX_PARTS}");
-    known.ok_or_else(|| PyValueError::new_err(wanted()))
+    let expected = || format!("parts: found {parts}, expected an integer from 1 to {MAX_PARTS}");
+    known.ok_or_else(|| PyValueError::new_err(expected()))
 }
 
 impl States {
@@ -93,9 +93,9 @@ impl States {
 }
 
 /// Returns the message about states that were not kept.
-fn missing_states(what: &str, wanted: &str) -> String {
+fn missing_states(what: &str, expected: &str) -> String {
     let file = "of a run by the command line, by a model with `output.states` > 0";
-    format!("{what}: the run kept no such states; run it with {wanted}; {file}")
+    format!("{what}: the run kept no such states; run it with {expected}; {file}")
 }
 
 impl States {
@@ -114,13 +114,13 @@ impl States {
 
     /// Checks that the states have what a quantity needs: positions, or velocities too.
     pub(crate) fn require(&self, what: &str, is_positional: bool) -> PyResult<()> {
-        let wanted = match self.frames.keep {
+        let expected = match self.frames.keep {
             Keep::All => return Ok(()),
             Keep::Positions if is_positional => return Ok(()),
             Keep::Positions => "states=\"all\"",
             Keep::Nothing => "states=\"all\" or \"positions\"",
         };
-        Err(PyValueError::new_err(missing_states(what, wanted)))
+        Err(PyValueError::new_err(missing_states(what, expected)))
     }
 
     /// Calls `see` with the states of the given numbers until it returns false.

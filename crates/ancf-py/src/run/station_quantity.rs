@@ -34,7 +34,7 @@ impl StationQuantity {
             _ => {
                 let names = Field::ALL.iter().map(|(name, _)| *name).chain(["strain", "stress"]);
                 let names: Vec<_> = names.map(|name| format!("{name:?}")).collect();
-                let text = format!("field: found {name:?}, wanted one of {}", names.join(", "));
+                let text = format!("field: found {name:?}, expected one of {}", names.join(", "));
                 Err(PyValueError::new_err(text))
             }
         }

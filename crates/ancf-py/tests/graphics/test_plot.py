@@ -306,23 +306,23 @@ def test_a_notebook_continues_to_show_figures(monkeypatch: pytest.MonkeyPatch) -
 
 def test_errors_of_plots() -> None:
     run = result("cantilever")
-    with pytest.raises(ValueError, match="time: found nan, wanted a finite number or several"):
+    with pytest.raises(ValueError, match="time: found nan, expected a finite number or several"):
         run.plot_shape(time=np.nan)
-    with pytest.raises(ValueError, match=r"time: found \[\], wanted"):
+    with pytest.raises(ValueError, match=r"time: found \[\], expected"):
         run.plot_shape(time=[])
-    with pytest.raises(ValueError, match=r"frame: found \[\], wanted the number of a row or of several"):
+    with pytest.raises(ValueError, match=r"frame: found \[\], expected the number of a row or of several"):
         run.plot_shape([])
-    with pytest.raises(ValueError, match=r"frame: found 1\.5, wanted"):
+    with pytest.raises(ValueError, match=r"frame: found 1\.5, expected"):
         run.plot_shape(1.5)
     for fps in [0, -1, 2.5]:
-        with pytest.raises(ValueError, match=rf"fps: found {fps}, wanted an integer >= 1"):
+        with pytest.raises(ValueError, match=rf"fps: found {fps}, expected an integer >= 1"):
             run.animate(fps=fps)
     modes = result("tuning_fork")
-    with pytest.raises(ValueError, match="energy: found a result of modes without energies, wanted"):
+    with pytest.raises(ValueError, match="energy: found a result of modes without energies, expected"):
         modes.plot("energy")
-    with pytest.raises(ValueError, match="count: found 0, wanted an integer >= 1"):
+    with pytest.raises(ValueError, match="count: found 0, expected an integer >= 1"):
         modes.plot_modes(0)
     still = ancf.run(MODELS / "cantilever.toml", callback=lambda _: True)
     assert len(still) == 1
-    with pytest.raises(ValueError, match="animation: found a result of 1 row, wanted at least two rows"):
+    with pytest.raises(ValueError, match="animation: found a result of 1 row, expected at least two rows"):
         still.animate()

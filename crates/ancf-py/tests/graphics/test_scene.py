@@ -200,8 +200,8 @@ def test_invalid_arguments_are_reported(tmp_path: Path, monkeypatch: pytest.Monk
 def test_invalid_numbers_are_reported(tmp_path: Path) -> None:
     run = result("cantilever")
     for sides in [2, 0, 3.5]:
-        with pytest.raises(ValueError, match=f"sides: found {sides}, wanted an integer >= 3"):
+        with pytest.raises(ValueError, match=f"sides: found {sides}, expected an integer >= 3"):
             run.scene(sides=sides)
     for seconds in [0, -1.0, np.nan]:
-        with pytest.raises(ValueError, match=f"seconds: found {seconds}, wanted a number > 0"):
+        with pytest.raises(ValueError, match=f"seconds: found {seconds}, expected a number > 0"):
             run.show(movie=tmp_path / "film.gif", seconds=seconds)

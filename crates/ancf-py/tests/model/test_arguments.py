@@ -51,16 +51,16 @@ MISTAKES: list[tuple[Callable[[], Any], str]] = [
     ),
     (
         lambda: ancf.Circle(0.02),  # type: ignore[arg-type, call-arg]
-        "Circle: found the positional argument 0.02, wanted keywords, such as Circle(diameter=0.02)",
+        "Circle: found the positional argument 0.02, expected keywords, such as Circle(diameter=0.02)",
     ),
     (
         lambda: ancf.Tube("pipe", 0.2, 0.1),  # type: ignore[call-arg]
-        'Tube "pipe": found the positional arguments 0.2, 0.1, wanted keywords, such as '
+        'Tube "pipe": found the positional arguments 0.2, 0.1, expected keywords, such as '
         "Tube('pipe', outer=0.2, inner=0.1)",
     ),
     (
         lambda: ancf.Material("steel", 7850.0, E=2.1e11),  # type: ignore[call-arg]
-        'Material "steel": found the positional argument 7850.0, wanted keywords, such as '
+        'Material "steel": found the positional argument 7850.0, expected keywords, such as '
         "Material('steel', density=7850.0, young=...)",
     ),
     (
@@ -93,15 +93,15 @@ def test_a_wrong_argument_names_the_correct_one(build: Callable[[], Any], messag
 def test_an_error_names_the_part() -> None:
     with pytest.raises(ancf.ModelError) as caught:
         beam(elements="eight")
-    assert str(caught.value) == 'Beam "rod": elements: found "eight", wanted an integer >= 1'
+    assert str(caught.value) == 'Beam "rod": elements: found "eight", expected an integer >= 1'
     assert caught.value.errors[0].path == "elements"
-    with pytest.raises(ancf.ModelError, match=r"^Circle: diameter: found -1, wanted a number > 0$"):
+    with pytest.raises(ancf.ModelError, match=r"^Circle: diameter: found -1, expected a number > 0$"):
         ancf.Circle(diameter=-1)
 
 
 def test_a_body_instead_of_a_place_suggests_its_places() -> None:
     rod: Any = beam()
-    message = 'Probe "tip": on: found a Beam, wanted a Place; did you mean rod.start, rod.end or rod.at(s)?'
+    message = 'Probe "tip": on: found a Beam, expected a Place; did you mean rod.start, rod.end or rod.at(s)?'
     with pytest.raises(TypeError, match=f"^{re.escape(message)}$"):
         ancf.Probe("tip", on=rod)
     block: Any = ancf.RigidBody("big block", center=[0, 0, 0], mass=1, inertia=[1, 1, 1])
@@ -109,28 +109,28 @@ def test_a_body_instead_of_a_place_suggests_its_places() -> None:
         ancf.Clamp("root", a=block)
     # A material is no body.
     steel: Any = ancf.Material("steel", density=1, young=1)
-    with pytest.raises(TypeError, match=r"on: found a Material, wanted a Place$"):
+    with pytest.raises(TypeError, match=r"on: found a Material, expected a Place$"):
         ancf.Probe("tip", on=steel)
 
 
 def test_values_instead_of_parts_are_rejected() -> None:
     wrong: Any = "rod"
-    message = """Probe "tip": on: found 'rod', wanted a Place; did you mean Place("rod", "end")?"""
+    message = """Probe "tip": on: found 'rod', expected a Place; did you mean Place("rod", "end")?"""
     with pytest.raises(TypeError, match=f"^{re.escape(message)}$"):
         ancf.Probe("tip", on=wrong)
-    message = """b: found 'rod', wanted 'ground', a Place or Ground; did you mean Place("rod", "end")?"""
+    message = """b: found 'rod', expected 'ground', a Place or Ground; did you mean Place("rod", "end")?"""
     with pytest.raises(TypeError, match=f"{re.escape(message)}$"):
         ancf.Clamp("root", a=PLACE, b=wrong)
     assert ancf.Clamp("root", a=PLACE, b="ground").b == "ground"
     with pytest.raises(
-        TypeError, match=r"analysis: found 'rod', wanted a Dynamics, Statics, .* or Buckling$"
+        TypeError, match=r"analysis: found 'rod', expected a Dynamics, Statics, .* or Buckling$"
     ):
         ancf.Model(bodies=[beam()], analysis=wrong)
     with pytest.raises(
-        TypeError, match=r"^bodies: found a Beam, wanted a list of parts; did you mean bodies="
+        TypeError, match=r"^bodies: found a Beam, expected a list of parts; did you mean bodies="
     ):
         ancf.Model(bodies=beam(), analysis=ancf.Modes())  # type: ignore[arg-type]
-    with pytest.raises(TypeError, match=r"model: found Beam\(.*\), wanted an ancf.Model"):
+    with pytest.raises(TypeError, match=r"model: found Beam\(.*\), expected an ancf.Model"):
         ancf.run(beam())
 
 

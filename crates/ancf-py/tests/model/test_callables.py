@@ -111,12 +111,12 @@ def test_an_external_force_with_a_function_of_time(rod: dict[str, Any]) -> None:
 @pytest.mark.parametrize("answer", [None, "strong", float("nan"), [1.0, 2.0], (1.0, float("inf"), 0.0)])
 def test_invalid_return_values_are_reported(rod: dict[str, Any], answer: Any) -> None:
     with pytest.raises(
-        ValueError, match=r"loads\[0\]\.time at t = 0: found .*, wanted a number, or value"
+        ValueError, match=r"loads\[0\]\.time at t = 0: found .*, expected a number, or value"
     ) as caught:
         ancf.run(rod | {"loads": push(lambda _: answer)})
     assert repr(answer) in str(caught.value)
     force = {"kind": "external", "name": lambda *_: answer, "on": {"body": "arm", "at": "end"}}
-    with pytest.raises(ValueError, match=r"loads\[0\]\.name at t = 0: found .*, wanted three numbers"):
+    with pytest.raises(ValueError, match=r"loads\[0\]\.name at t = 0: found .*, expected three numbers"):
         ancf.run(rod | {"loads": [force]})
 
 
@@ -124,6 +124,6 @@ def test_the_model_of_a_result_keeps_its_functions(rod: dict[str, Any]) -> None:
     result = ancf.run(rod | {"loads": push(np.sin)})
     np.testing.assert_array_equal(ancf.run(result.model).data, result.data)
     with pytest.raises(
-        TypeError, match=r"loads\[0\]\.time: found a function of Python, wanted what a file can say"
+        TypeError, match=r"loads\[0\]\.time: found a function of Python, expected what a file can say"
     ):
         ancf.Model.from_dict(result.model).to_toml()

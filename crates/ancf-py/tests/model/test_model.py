@@ -118,17 +118,17 @@ def test_a_model_is_written_and_read(tmp_path: Path) -> None:
 
 def test_errors_are_reported_when_a_part_is_built() -> None:
     """Values, words and lengths are checked with the messages of the command line, all at once."""
-    with pytest.raises(ancf.ModelError, match=re.escape("diameter: found -1, wanted a number > 0")):
+    with pytest.raises(ancf.ModelError, match=re.escape("diameter: found -1, expected a number > 0")):
         ancf.Circle(diameter=-1)
     given: dict[str, Any] = {"section": "s", "material": "m", "formulation": "linkd"}
     with pytest.raises(ancf.ModelError) as caught:
         ancf.Beam("", from_=[0, 0], to=np.zeros(3), elements=0, **given)
     assert sorted(str(caught.value).splitlines()) == [
-        "Beam: elements: found 0, wanted an integer >= 1",
-        'Beam: formulation: found "linkd", wanted "continuum", "enhanced", "linked" or "quadratic" '
+        "Beam: elements: found 0, expected an integer >= 1",
+        'Beam: formulation: found "linkd", expected "continuum", "enhanced", "linked" or "quadratic" '
         '(did you mean "linked"?)',
-        "Beam: from: found an array of 2, wanted an array of 3 numbers",
-        'Beam: name: found "", wanted a text that is not empty',
+        "Beam: from: found an array of 2, expected an array of 3 numbers",
+        'Beam: name: found "", expected a text that is not empty',
     ]
 
 
@@ -145,11 +145,13 @@ def test_unknown_and_missing_arguments_are_rejected() -> None:
 def test_parts_of_another_class_are_rejected() -> None:
     """The message names the place of the part."""
     beam: Any = rod()
-    with pytest.raises(TypeError, match=r"^Force: on: found a Beam, wanted a Place; did you mean rod\.start"):
+    with pytest.raises(
+        TypeError, match=r"^Force: on: found a Beam, expected a Place; did you mean rod\.start"
+    ):
         ancf.Force(on=beam, force=[1, 2, 3])
-    with pytest.raises(TypeError, match="section: found a Material, wanted a Circle, Tube, "):
+    with pytest.raises(TypeError, match="section: found a Material, expected a Circle, Tube, "):
         rod(section=ancf.Material(density=1, young=1))
-    with pytest.raises(TypeError, match=re.escape("bodies[1]: found a Place, wanted a Beam, ")):
+    with pytest.raises(TypeError, match=re.escape("bodies[1]: found a Place, expected a Beam, ")):
         ancf.Model(bodies=[beam, beam.start], analysis=ancf.Modes())
     with pytest.raises(TypeError, match=r"sections\.x: found a Clamp"):
         sections: Any = {"x": ancf.Clamp("root", a=beam.start)}
@@ -161,7 +163,7 @@ def test_data_of_another_class_are_rejected() -> None:
     assert ancf.Circle.from_dict({"diameter": 1}) == ancf.Circle(diameter=1)
     with pytest.raises(ValueError, match="Circle"):
         ancf.Circle.from_dict({"kind": "tube", "outer": 2, "inner": 1})
-    with pytest.raises(ancf.ModelError, match=re.escape("bodies[0].mass: found -1, wanted a number > 0")):
+    with pytest.raises(ancf.ModelError, match=re.escape("bodies[0].mass: found -1, expected a number > 0")):
         ancf.Model.from_dict(
             {
                 "bodies": [{"kind": "mass", "name": "m", "mass": -1, "center": [0, 0, 0]}],
@@ -296,13 +298,13 @@ def test_every_form_of_the_schema_has_a_class() -> None:
             for form in definition.get("oneOf", definition.get("anyOf", [definition]))
             if "properties" in form
         ]
-    wanted = sorted(sorted(table["properties"]) for table in tables)
+    expected = sorted(sorted(table["properties"]) for table in tables)
     found = []
     for part in CLASSES:
         tag = [part._tag] if part._tag else []
         names = [name for name in keys(part) if name not in part._own]
         found.append(sorted([name.rstrip("_") for name in names] + tag))
-    assert sorted(found) == wanted
+    assert sorted(found) == expected
 
 
 @pytest.mark.parametrize("part", CLASSES, ids=lambda part: part.__name__)

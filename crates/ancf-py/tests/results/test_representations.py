@@ -120,13 +120,13 @@ def instant() -> ancf.Instant:
 def test_every_object_has_a_representation(start: Any) -> None:
     things = reached(start())
     classes = {type(thing).__name__ for thing in things.values()}
-    wanted = {
+    expected = {
         "model": {"Model", "Beam", "Place", "Dynamics"},
         "result": {"Result", "Energy", "Reaction", "JointMotion", "Probe", "States"},
         "study": {"Study"},
         "instant": {"Instant", "Energy", "Probe"},
     }
-    assert wanted[start.__name__] <= classes
+    assert expected[start.__name__] <= classes
     for thing in things.values():
         text = repr(thing)
         assert "object at 0x" not in text, type(thing)
@@ -180,7 +180,7 @@ def test_a_study_shows_all_columns() -> None:
     assert lines[0] == "Study: 2 finished, 1 invalid"
     assert lines[1].split() == ["case", "bodies.block.mass", "last", "<x>", "outcome", "message"]
     assert lines[4].split()[:3] == ["2", "-1", "invalid"]
-    assert "found -1.0, wanted a number > 0" in lines[4]
+    assert "found -1.0, expected a number > 0" in lines[4]
     page = read(study()._repr_html_())
     assert {"last <x>", "bodies.block.mass", "finished", "2 finished, 1 invalid"} <= set(page.texts)
 

@@ -78,7 +78,7 @@ def test_kept_parts_of_states(rod: dict[str, Any]) -> None:
         positions.field("velocity")
     with pytest.raises(ValueError, match="kept no such states"):
         ancf.run(rod, states="none").field("position")
-    with pytest.raises(ValueError, match='wanted "all", "positions" or "none"'):
+    with pytest.raises(ValueError, match='expected "all", "positions" or "none"'):
         ancf.run(rod, states="some")  # type: ignore[arg-type]
 
 
@@ -122,10 +122,10 @@ def test_tables(rod: dict[str, Any]) -> None:
 @pytest.mark.parametrize("file", sorted(BAD.glob("*.toml")), ids=lambda file: file.stem)
 def test_errors_are_those_of_the_command_line(file: Path) -> None:
     text = file.read_text(encoding="utf-8", errors="surrogateescape")
-    wanted = [line.removeprefix("#! ") for line in text.splitlines() if line.startswith("#! ")]
+    expected = [line.removeprefix("#! ") for line in text.splitlines() if line.startswith("#! ")]
     with pytest.raises(ancf.ModelError) as caught:
         ancf.run(file)
-    assert str(caught.value).splitlines() == [f"{file}:{line}" for line in wanted]
+    assert str(caught.value).splitlines() == [f"{file}:{line}" for line in expected]
     again = pickle.loads(pickle.dumps(caught.value))
     assert str(again) == str(caught.value)
     assert again.errors == caught.value.errors
@@ -135,7 +135,7 @@ def test_errors_of_data_have_no_position(rod: dict[str, Any]) -> None:
     with pytest.raises(ancf.ModelError) as caught:
         ancf.run(rod | {"gravity": [0, 1], "tile": "x"})
     assert [error.path for error in caught.value.errors] == ["tile", "gravity"]
-    assert str(caught.value).splitlines()[1] == "gravity: found an array of 2, wanted an array of 3 numbers"
+    assert str(caught.value).splitlines()[1] == "gravity: found an array of 2, expected an array of 3 numbers"
     with pytest.raises(TypeError, match=r"bodies\[0\]\.to\[1\]: found an object of type object"):
         ancf.run(rod | {"bodies": [rod["bodies"][0] | {"to": [0, object(), 0]}]})
 
@@ -251,14 +251,14 @@ def test_other_objects_than_models_are_rejected() -> None:
         with pytest.raises(TypeError, match="its data in a dictionary, or the path of a file"):
             ancf.run(what)  # type: ignore[arg-type]
     with pytest.raises(
-        TypeError, match=r"density: found an object of type int, wanted a number within the range"
+        TypeError, match=r"density: found an object of type int, expected a number within the range"
     ):
         ancf.Material(density=10**400, young=1e9)
 
 
 def test_too_large_fields_raise_a_memory_error(rod: dict[str, Any]) -> None:
     result = ancf.run(rod)
-    with pytest.raises(ValueError, match="parts: found 0, wanted an integer from 1 to 1000"):
+    with pytest.raises(ValueError, match="parts: found 0, expected an integer from 1 to 1000"):
         result.field("position", parts=0)
     with pytest.raises(MemoryError, match="the field does not fit into memory"):
         result.field("directors", parts=1000, rows=[0] * 4_000_000)

@@ -50,7 +50,7 @@ def test_fields_of_tensors_are_those_of_probes() -> None:
             assert field.shape == (len(run), 9, 6)
             np.testing.assert_allclose(field[:, station], getattr(run.probe(probe), name), rtol=1e-9)
     assert not np.allclose(run.field("stress", offset=OFFSET), run.field("stress"))
-    with pytest.raises(ValueError, match="wanted that of 'strain' or 'stress'"):
+    with pytest.raises(ValueError, match="expected that of 'strain' or 'stress'"):
         run.field("position", offset=OFFSET)
 
 

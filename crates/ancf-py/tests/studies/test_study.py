@@ -175,22 +175,22 @@ def test_all_errors_are_reported_before_a_case_runs(bar: dict[str, Any], tmp_pat
     with pytest.raises(ancf.ModelError) as caught:
         ancf.study(bar, parameters, objective, combine="gird", folder=tmp_path / "new")  # type: ignore[arg-type]
     assert str(caught.value).splitlines() == [
-        'combine: found "gird", wanted "grid" or "zip" (did you mean "grid"?)',
-        "parameters.elements: found an empty list, wanted a list of at least one value",
-        "parameters.gravity: found 9.81, wanted a list of values, or a distribution such as "
+        'combine: found "gird", expected "grid" or "zip" (did you mean "grid"?)',
+        "parameters.elements: found an empty list, expected a list of at least one value",
+        "parameters.gravity: found 9.81, expected a list of values, or a distribution such as "
         "scipy.stats.norm(mean, deviation)",
-        'parameters.title: found "a", wanted a list of values, or a distribution such as '
+        'parameters.title: found "a", expected a list of values, or a distribution such as '
         "scipy.stats.norm(mean, deviation)",
-        'parameters."bodies.beam.material.young": found a distribution without `samples`, wanted the number of '
+        'parameters."bodies.beam.material.young": found a distribution without `samples`, expected the number of '
         "samples, such as `samples=100`",
-        "parameters.elemnts: found unknown key `elemnts`, wanted a key of the model or of a body "
+        "parameters.elemnts: found unknown key `elemnts`, expected a key of the model or of a body "
         "(did you mean `elements`?)",
-        "objectives.case: found `case`, which is another column of the table, wanted another name",
-        'objectives.a: found "men", wanted "first", "last", "mean", "min", "max", "amplitude", "rms" or '
+        "objectives.case: found `case`, which is another column of the table, expected another name",
+        'objectives.a: found "men", expected "first", "last", "mean", "min", "max", "amplitude", "rms" or '
         'a row from 0 (did you mean "mean"?)',
-        "objectives.b: found 3, wanted a function of the result, or a column and what is taken of it, such as "
+        "objectives.b: found 3, expected a function of the result, or a column and what is taken of it, such as "
         '("tip.y", "mean")',
-        'objectives.tip: found "tip.q", which is no column of the results, wanted a column of the results of the '
+        'objectives.tip: found "tip.q", which is no column of the results, expected a column of the results of the '
         'model (did you mean "tip.z"?)',
     ]
     assert not (tmp_path / "new").exists()
@@ -205,10 +205,10 @@ def test_a_value_that_is_no_data_is_an_invalid_row(bar: dict[str, Any]) -> None:
 def test_numbers_of_cases_and_samples_are_limited(bar: dict[str, Any]) -> None:
     law = {f"gravity[{k}]": scipy.stats.norm() for k in range(482)}
     (line,) = [line for line in errors_of(bar, law, samples=2, sampling="sobol") if "Sobol" in line]
-    assert line == "parameters: found 482 distributions, wanted at most 481 in a Sobol sequence"
+    assert line == "parameters: found 482 distributions, expected at most 481 in a Sobol sequence"
     assert errors_of(bar, {"gravity[1]": law["gravity[1]"]}, samples=10**20, seed=2**32) == [
-        "seed: found 4294967296, wanted an integer from 0 to 4294967295",
-        "samples: found 100000000000000000000, wanted an integer from 1 to 10000000",
+        "seed: found 4294967296, expected an integer from 0 to 4294967295",
+        "samples: found 100000000000000000000, expected an integer from 1 to 10000000",
     ]
 
 
@@ -217,10 +217,10 @@ def test_places_are_set_once_and_pairs_are_pairs(bar: dict[str, Any]) -> None:
     with pytest.raises(ancf.ModelError) as caught:
         ancf.study(bar, parameters, combine="zip")
     assert str(caught.value).splitlines() == [
-        "parameters.elements: found 3 values, wanted 2, as many as `bodies.beam.elements` has, since `combine` is "
+        "parameters.elements: found 3 values, expected 2, as many as `bodies.beam.elements` has, since `combine` is "
         '"zip"',
-        "parameters.elements: found `bodies[0].elements`, which `bodies.beam.elements` sets too, wanted every place to "
-        "be set once",
+        "parameters.elements: found `bodies[0].elements`, which `bodies.beam.elements` sets too, expected every place "
+        "to be set once",
     ]
     # The alphabetical order in which parameters are set has no effect.
     parameters = {
@@ -233,15 +233,15 @@ def test_places_are_set_once_and_pairs_are_pairs(bar: dict[str, Any]) -> None:
     }
     with pytest.raises(ancf.ModelError) as caught:
         ancf.study(bar, parameters)
-    whole = "wanted every place to be set once (give the whole with its parts, or the parts alone)"
+    whole = "expected every place to be set once (give the whole with its parts, or the parts alone)"
     assert str(caught.value).splitlines() == [
         f'parameters."gravity[1]": found `gravity[1]`, which `gravity` sets too, {whole}',
         'parameters."materials.steel": found `materials.steel`, of which `bodies.beam.material.young` sets a part, '
         f"{whole}",
-        'parameters."section.diameter": found a path through what `bodies.beam.section` sets, wanted a path that '
+        'parameters."section.diameter": found a path through what `bodies.beam.section` sets, expected a path that '
         f"leads to the same place in every case (such as `sections.{bar['bodies'][0]['section']}.diameter`)",
     ]
-    with pytest.raises(ancf.ModelError, match="wanted at most 10 000 000 cases"):
+    with pytest.raises(ancf.ModelError, match="expected at most 10 000 000 cases"):
         ancf.study(bar, {"elements": range(1, 10001), "gravity[1]": range(10001)})
     with pytest.raises(ancf.ModelError, match=r"found a distribution with the quantile nan"):
         ancf.study(bar, {"gravity[1]": scipy.stats.norm(1, -1)}, samples=2)
@@ -290,30 +290,30 @@ def test_settings_are_checked(bar: dict[str, Any], tmp_path: Path) -> None:
     def never(_: ancf.Result) -> float:
         raise AssertionError("a case was run")
 
-    wanted = "wanted an integer >= 1, or -1 for all cores"
+    expected = "expected an integer >= 1, or -1 for all cores"
     for jobs in [0, -2, 1.5, True, "two"]:
         shown = f'"{jobs}"' if isinstance(jobs, str) else jobs
-        assert errors_of(bar, {"elements": [1]}, never, jobs=jobs) == [f"jobs: found {shown}, {wanted}"]
+        assert errors_of(bar, {"elements": [1]}, never, jobs=jobs) == [f"jobs: found {shown}, {expected}"]
     assert errors_of(bar, {"elements": [1]}, never, states="al", client=3, seed="x", folder=5) == [
-        "folder: found 5, wanted a path",
-        'states: found "al", wanted "all", "positions" or "none" (did you mean "all"?)',
-        "client: found 3, wanted a client of dask.distributed",
-        'seed: found "x", wanted an integer from 0 to 4294967295',
+        "folder: found 5, expected a path",
+        'states: found "al", expected "all", "positions" or "none" (did you mean "all"?)',
+        "client: found 3, expected a client of dask.distributed",
+        'seed: found "x", expected an integer from 0 to 4294967295',
     ]
     law = {"gravity[1]": scipy.stats.norm(-9, 1)}
     for samples in [0, 2.0, "many", True]:
         (line,) = errors_of(bar, law, never, samples=samples)
-        assert line.startswith("samples: found") and line.endswith("wanted an integer from 1 to 10000000")
-    assert errors_of(bar, ["elements"], never) == ["parameters: found ['elements'], wanted a dictionary"]
+        assert line.startswith("samples: found") and line.endswith("expected an integer from 1 to 10000000")
+    assert errors_of(bar, ["elements"], never) == ["parameters: found ['elements'], expected a dictionary"]
     assert errors_of(bar, {3: [1]}, {4: never}) == [
-        "parameters: found the name 3, wanted texts as names",
-        "objectives: found the name 4, wanted texts as names",
+        "parameters: found the name 3, expected texts as names",
+        "objectives: found the name 4, expected texts as names",
     ]
     file = tmp_path / "file"
     file.touch()
     (line,) = errors_of(bar, {"elements": [1]}, never, folder=file)
     assert line.startswith(f'folder: found "{file}", where no file can be written (')
-    assert line.endswith("wanted a folder to write to")
+    assert line.endswith("expected a folder to write to")
     study = ancf.study(
         bar, law, {"tip": ("tip.y", np.int64(0))}, samples=np.int64(2), seed=np.int64(1), jobs=-1
     )
@@ -337,15 +337,17 @@ def test_an_objective_without_number_is_a_failed_row(bar: dict[str, Any]) -> Non
         return str(row)
 
     assert message(lambda r: {}) == (
-        "objectives.objective: found {}, wanted at least one number, by names that are texts"
+        "objectives.objective: found {}, expected at least one number, by names that are texts"
     )
     assert message({"a": lambda r: {"b": 1.0}}) == (
-        "objectives.a: found {'b': 1.0}, wanted a number, since this objective is one of several by name"
+        "objectives.a: found {'b': 1.0}, expected a number, since this objective is one of several by name"
     )
     assert message(lambda r: {"a": {"b": 1}}) == (
-        "objectives.objective: found {'b': 1}, wanted a number as 'a'"
+        "objectives.objective: found {'b': 1}, expected a number as 'a'"
     )
-    assert message(lambda r: None) == ("objectives.objective: found None, wanted a number or several by name")
+    assert message(lambda r: None) == (
+        "objectives.objective: found None, expected a number or several by name"
+    )
 
 
 def test_a_column_alone_is_an_objective(bar: dict[str, Any]) -> None:

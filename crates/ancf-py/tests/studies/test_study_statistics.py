@@ -111,8 +111,8 @@ def test_sobol_indices_of_a_product(pushed: dict[str, Any]) -> None:
     with pytest.raises(ancf.ModelError) as caught:
         ancf.sobol(pushed, laws | {"elements": [4]}, {"tip": "tip.y"}, samples=100)
     assert str(caught.value).splitlines() == [
-        "parameters.elements: found [4], wanted a distribution, such as scipy.stats.norm(mean, deviation)",
-        "samples: found 100, wanted a power of 2, as in a Sobol sequence (such as 256)",
+        "parameters.elements: found [4], expected a distribution, such as scipy.stats.norm(mean, deviation)",
+        "samples: found 100, expected a power of 2, as in a Sobol sequence (such as 256)",
     ]
     table = ancf.sobol(pushed, laws, {"tip": "tip.y", "end": ("tip.y", "min")}, samples=512)
     # The tip's deflection is a product of functions g of one parameter each, with relative variances v:
@@ -164,24 +164,24 @@ def test_indices_need_numbers(pushed: dict[str, Any]) -> None:
     law: Any = {"bodies.beam.material.young": scipy.stats.uniform(100e9, 200e9)}
 
     with pytest.raises(
-        ValueError, match=r"objectives\.o: found no number in 12 of 12 cases, wanted one in each"
+        ValueError, match=r"objectives\.o: found no number in 12 of 12 cases, expected one in each"
     ):
         ancf.sobol(pushed, law, {"o": lambda _: np.nan}, samples=4)
     with pytest.raises(ancf.ModelError) as caught:
         ancf.sobol(pushed, {}, None, samples="x", seed=-1, combine="grid")  # type: ignore[arg-type]
     assert str(caught.value).splitlines() == [
-        "parameters: found none, wanted at least one distribution",
-        "objective: found none, wanted at least one number",
-        'samples: found "x", wanted a power of 2, as in a Sobol sequence (such as 256)',
-        "seed: found -1, wanted an integer from 0 to 4294967295",
-        'combine: found "grid", wanted nothing, since the Sobol sequence determines the cases',
+        "parameters: found none, expected at least one distribution",
+        "objective: found none, expected at least one number",
+        'samples: found "x", expected a power of 2, as in a Sobol sequence (such as 256)',
+        "seed: found -1, expected an integer from 0 to 4294967295",
+        'combine: found "grid", expected nothing, since the Sobol sequence determines the cases',
     ]
     with pytest.raises(ancf.ModelError) as caught:
         ancf.sobol(pushed, {f"p{k}": law for k in range(241)}, "tip.y", samples=2**40, seed=2**32)
     assert [line for line in str(caught.value).splitlines() if "distribution, such" not in line] == [
-        "samples: found 1099511627776, wanted at most 10000000",
-        "seed: found 4294967296, wanted an integer from 0 to 4294967295",
-        "parameters: found 241 distributions, wanted at most 240 in a Sobol sequence",
+        "samples: found 1099511627776, expected at most 10000000",
+        "seed: found 4294967296, expected an integer from 0 to 4294967295",
+        "parameters: found 241 distributions, expected at most 240 in a Sobol sequence",
     ]
-    with pytest.raises(ancf.ModelError, match="parameters: found 3, wanted a dictionary"):
+    with pytest.raises(ancf.ModelError, match="parameters: found 3, expected a dictionary"):
         ancf.sobol(pushed, 3, "tip.y", samples=4)  # type: ignore[arg-type]

@@ -126,11 +126,11 @@ pub fn buckling(
     eom.tangent(s, Weights::MASS, &mut mass);
     let mut pencil = BucklingPencil { eom, s, stiffness, softening, mass, factor, interrupt };
     // The last factor may have a neighbour of the same magnitude and the other sign.
-    let wanted = count + usize::from(sense == LoadDirection::Either);
-    let mut start = pencil.operator().start(wanted + GUARD, 0)?;
+    let requested = count + usize::from(sense == LoadDirection::Either);
+    let mut start = pencil.operator().start(requested + GUARD, 0)?;
     let (degrees, mut failure) = (eom.degrees_of_freedom(s), EigenError::NotConverged);
     for pass in 0..PASSES {
-        let found = krylov(&mut pencil.operator(), start, &sense.search(wanted))?;
+        let found = krylov(&mut pencil.operator(), start, &sense.search(requested))?;
         if found.largest <= MIN_SOFTENING || !pencil.is_determined(&found)? {
             return Ok(CriticalLoads { response, ..CriticalLoads::default() });
         }

@@ -321,12 +321,12 @@ impl Newton {
                 // of the motion. In statics the states so far may be without load, and their energy that of rounding errors.
                 let is_motion = self.energy > 0.0 && !is_static;
                 let largest = if is_motion { self.energy } else { self.energy.max(eom.energy(s).largest()) };
-                let (size, wanted) = (energy.sqrt(), tolerance * largest.sqrt());
+                let (size, expected) = (energy.sqrt(), tolerance * largest.sqrt());
                 let first = *progress.first.get_or_insert(size);
-                let least = (LEAST_REMAINDER * wanted).max(ROUNDING * largest.sqrt());
-                let remainder = (REDUCTION * first).min(REMAINDER * wanted).max(least);
+                let least = (LEAST_REMAINDER * expected).max(ROUNDING * largest.sqrt());
+                let remainder = (REDUCTION * first).min(REMAINDER * expected).max(least);
                 self.tangent.record(progress.rate(energy));
-                if size <= wanted && self.tangent.remainder(size) <= remainder {
+                if size <= expected && self.tangent.remainder(size) <= remainder {
                     // In statics the energy does not see motions without forces, whatever the gaps of the constraints.
                     if (size > 0.0 && !is_static) || self.at(eom, s).has_closed_gaps() {
                         return ControlFlow::Break(Ok(progress.report));

@@ -185,8 +185,8 @@ impl<'a, E: EquationsOfMotion> ArcLength<'a, E> {
             let step = self.step.min(self.steps.largest).min(left);
             match self.attempt_step(step, target) {
                 Ok((step_end, iterations)) => {
-                    let wanted = f64::from(self.steps.iterations) / f64::from(iterations.max(1));
-                    self.step = step * wanted.sqrt().clamp(0.5, 2.0);
+                    let expected = f64::from(self.steps.iterations) / f64::from(iterations.max(1));
+                    self.step = step * expected.sqrt().clamp(0.5, 2.0);
                     if step_end.unstable != self.unstable {
                         // The stability change is confirmed, so the path continues with the original step size.
                         self.step = self.unconfirmed_step.take().unwrap_or(self.step);

@@ -66,8 +66,8 @@ fn parameter_errors(study: &Study) -> Vec<ModelError> {
         }
     }
     if let Some((path, _)) = study.distributions().next().filter(|_| study.samples.is_none()) {
-        let wanted = "the number of samples at the top of the file, such as `samples = 100`";
-        errors.push(ModelError::new(parameter_path(path), "a distribution without `samples`", wanted));
+        let expected = "the number of samples at the top of the file, such as `samples = 100`";
+        errors.push(ModelError::new(parameter_path(path), "a distribution without `samples`", expected));
     }
     errors.extend(dimension_error(study));
     if study.combine == Combine::Zip {
@@ -85,8 +85,8 @@ fn parameter_errors(study: &Study) -> Vec<ModelError> {
 fn dimension_error(study: &Study) -> Option<ModelError> {
     let count = study.distributions().count();
     let is_excessive = study.sampling == Sampling::Sobol && count > MAX_SOBOL_DIMENSION;
-    let wanted = format!("at most {MAX_SOBOL_DIMENSION} in a Sobol sequence");
-    is_excessive.then(|| ModelError::new("parameters", format!("{count} distributions"), wanted))
+    let expected = format!("at most {MAX_SOBOL_DIMENSION} in a Sobol sequence");
+    is_excessive.then(|| ModelError::new("parameters", format!("{count} distributions"), expected))
 }
 
 /// Returns an error for each zipped list whose length differs from the length of the first.
@@ -96,8 +96,8 @@ pub fn zip_errors(lists: &[(String, usize)]) -> Vec<ModelError> {
     let Some(((first, count), others)) = lists.split_first() else { return Vec::new() };
     let differs = others.iter().filter(|(_, other)| other != count);
     let error = |(path, other): &(String, usize)| {
-        let wanted = format!("{count}, as many as `{first}` has, since `combine` is \"zip\"");
-        ModelError::new(parameter_path(path), format!("{other} values"), wanted)
+        let expected = format!("{count}, as many as `{first}` has, since `combine` is \"zip\"");
+        ModelError::new(parameter_path(path), format!("{other} values"), expected)
     };
     differs.map(error).collect()
 }

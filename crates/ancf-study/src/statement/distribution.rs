@@ -72,9 +72,9 @@ impl ValueRule {
     /// Returns the invalid numbers: key, value found, value required.
     fn invalid_numbers(&self) -> Vec<(&'static str, f64, String)> {
         let mut invalid = Vec::new();
-        let mut check = |holds: bool, key, x, wanted: String| {
+        let mut check = |holds: bool, key, x, expected: String| {
             if !holds {
-                invalid.push((key, x, wanted));
+                invalid.push((key, x, expected));
             }
         };
         match *self {
@@ -99,7 +99,7 @@ impl ValueRule {
     pub fn errors(&self, path: &str) -> impl Iterator<Item = ModelError> {
         self.invalid_numbers()
             .into_iter()
-            .map(move |(key, x, wanted)| ModelError::new(format!("{path}.{key}"), x.to_string(), wanted))
+            .map(move |(key, x, expected)| ModelError::new(format!("{path}.{key}"), x.to_string(), expected))
     }
 
     /// Returns the values of a range, `None` for a distribution.

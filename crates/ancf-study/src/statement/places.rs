@@ -85,8 +85,8 @@ impl ParameterTarget<'_> {
     /// Returns the error of a path whose target depends on the value of another parameter.
     fn path_through(&self, other: &Self) -> ModelError {
         let found = format!("a path through what `{}` sets", other.path);
-        let wanted = "a path that leads to the same place in every case";
-        let error = ModelError::new(parameter_path(self.path), found, wanted);
+        let expected = "a path that leads to the same place in every case";
+        let error = ModelError::new(parameter_path(self.path), found, expected);
         match self.places.first() {
             Some(place) => error.hint(format!("such as `{place}`")),
             None => error,

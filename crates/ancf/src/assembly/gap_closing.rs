@@ -62,9 +62,9 @@ impl Model {
             let (place, open) =
                 (assembly.place_of(&error, 1.0), gaps.iter().map(|(name, _)| format!("`{name}`")));
             let found = format!("gaps that do not close: {error}; at: {place}");
-            let wanted = "joints whose places can be brought together";
+            let expected = "joints whose places can be brought together";
             let hint = format!("open are {}", open.collect::<Vec<_>>().join(", "));
-            ModelErrors(vec![ModelError::new("assemble", found, wanted).hint(hint)])
+            ModelErrors(vec![ModelError::new("assemble", found, expected).hint(hint)])
         })?;
         let moved = meshes.iter().map(|(name, mesh)| (name.clone(), displacement(mesh, &state)));
         let moved = moved.filter(|(_, by)| *by > MOVED * self.length()).collect();

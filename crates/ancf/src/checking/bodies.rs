@@ -40,9 +40,9 @@ pub(crate) fn bodies(model: &IndexedModel<'_>) -> Vec<Finding> {
 fn rule_of_inertia(path: &str, body: &Body) -> Option<Finding> {
     let Body::Rigid(rigid) = body else { return None };
     (!is_physical_inertia(&rigid.tensor())).then(|| {
-        let wanted = "principal moments above 0, none larger than the sum of the other two";
+        let expected = "principal moments above 0, none larger than the sum of the other two";
         let listed = rigid.inertia.map(number).join(", ");
-        finding(format!("{path}.inertia"), format!("[{listed}]"), wanted)
+        finding(format!("{path}.inertia"), format!("[{listed}]"), expected)
             .rests_on([format!("{path}.products")])
     })
 }
@@ -150,11 +150,11 @@ pub(crate) fn formulations(model: &IndexedModel<'_>) -> Vec<Finding> {
     for (path, beam) in beams_of(model) {
         let material = model.materials.get(&beam.material);
         if !beam.formulation.is_continuum() && material.is_some_and(|m| m.law == MaterialLaw::NeoHookean) {
-            let wanted = "\"continuum\", which alone integrates a neo-Hookean law over the section";
+            let expected = "\"continuum\", which alone integrates a neo-Hookean law over the section";
             let error = finding(
                 format!("{path}.formulation"),
                 "a rod's elasticity of a neo-Hookean material",
-                wanted,
+                expected,
             );
             findings.push(Finding {
                 absence: true,

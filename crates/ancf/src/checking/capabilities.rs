@@ -12,8 +12,8 @@ pub(crate) fn capabilities(model: &IndexedModel<'_>) -> Vec<Finding> {
         let [of_a, of_b] = joint.kind().needs();
         let b = if let End::Place(b) = b { Some((format!("{path}.b"), b, of_b)) } else { None };
         let ends = [(format!("{path}.a"), a, of_a)].into_iter().chain(b);
-        ends.filter_map(|(path, place, wanted)| {
-            let (capability, what) = wanted?;
+        ends.filter_map(|(path, place, expected)| {
+            let (capability, what) = expected?;
             rule(model, format!("{path}.body"), &place.body, &capability, what)
         })
         .collect::<Vec<_>>()
@@ -54,7 +54,7 @@ fn rule(
     what: &str,
 ) -> Option<Finding> {
     let (_, body) = model.named(name)?;
-    let (found, wanted) = match (body, capability) {
+    let (found, expected) = match (body, capability) {
         (Body::Cable(_), Capability::Section | Capability::DrivenSection) => {
             (format!("{what} of a cable, which has no section to turn"), "a beam or a rigid body")
         }
@@ -73,7 +73,7 @@ fn rule(
         }
         _ => return None,
     };
-    Some(finding(path, found, wanted).rests_on(["bodies".into()]))
+    Some(finding(path, found, expected).rests_on(["bodies".into()]))
 }
 
 /// Checks that arms are attached to sections or rigid bodies.

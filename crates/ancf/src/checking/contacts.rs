@@ -22,11 +22,11 @@ fn rules_of_contact(model: &IndexedModel<'_>, path: &str, contact: &Contact) -> 
         };
         if !contact.touches(body) {
             let rigid = |more: &str| format!("{}, which is rigid{more}", quoted(name));
-            let (found, wanted) = match contact.with.obstacle() {
+            let (found, expected) = match contact.with.obstacle() {
                 Some(_) => (rigid(" and has no `surface`"), "a beam, a cable or a body with a `surface`"),
                 None => (rigid(""), "a beam or a cable"),
             };
-            findings.push(finding(key, found, wanted).rests_on(["bodies".into()]));
+            findings.push(finding(key, found, expected).rests_on(["bodies".into()]));
         } else if contact.bodies[..i].contains(name) {
             findings.push(finding(key, format!("{} a second time", quoted(name)), "each body once"));
         }
@@ -57,11 +57,11 @@ fn rule_of_partners(model: &IndexedModel<'_>, path: &str, contact: &Contact) -> 
         return None;
     }
     let found = "no body that can touch it";
-    let wanted = match contact.with.obstacle() {
+    let expected = match contact.with.obstacle() {
         Some(_) => "a beam, a cable, or a rigid body or point mass with a `surface`",
         None => "a beam or a cable",
     };
-    let error = finding(path.to_owned(), found, wanted);
+    let error = finding(path.to_owned(), found, expected);
     Some(Finding { absence: true, ..error.rests_on(["bodies".into()]) })
 }
 
@@ -114,8 +114,8 @@ fn rules_of_carrier(model: &IndexedModel<'_>, path: &str, contact: &Contact) -> 
         _ => None,
     };
     if let Some(found) = without {
-        let wanted = "a beam or a rigid body, which has directions";
-        let error = finding(format!("{path}.with.on.body"), found, wanted);
+        let expected = "a beam or a rigid body, which has directions";
+        let error = finding(format!("{path}.with.on.body"), found, expected);
         findings.push(error.rests_on(["bodies".into()]));
     }
     if let Some(i) = contact.bodies.iter().position(|body| *body == place.body) {

@@ -21,12 +21,12 @@ pub(crate) fn no_direction(path: String, vector: [f64; 3]) -> Finding {
 
 /// Finding for an unknown name.
 pub(crate) fn unknown(path: String, noun: &str, name: &str, names: Vec<&str>) -> Finding {
-    let wanted = match names.len() {
+    let expected = match names.len() {
         0 => format!("the name of a {noun}, but there is none"),
         1..=8 => format!("the name of a {noun}: {}", listed(names.iter().map(|name| quoted(name)), "or")),
         n => format!("the name of one of the {n} {noun}s"),
     };
-    let error = ModelError::new(path, quoted(name), wanted);
+    let error = ModelError::new(path, quoted(name), expected);
     Finding { absence: true, ..did_you_mean(error, nearest(name, names).map(quoted)).into() }
 }
 
@@ -53,16 +53,16 @@ pub(crate) fn rule_of_place(model: &IndexedModel<'_>, path: String, place: &Plac
     let name = quoted(body.name());
     match (body, place.at) {
         (Body::Beam(_) | Body::Cable(_), At::Point(_)) => {
-            let wanted =
+            let expected =
                 format!("\"start\", \"center\", \"end\" or an arc length of {name}, which is flexible");
-            Some(finding(format!("{path}.at"), "a point", wanted).rests_on(rests_on(["kind"; 3])))
+            Some(finding(format!("{path}.at"), "a point", expected).rests_on(rests_on(["kind"; 3])))
         }
         (Body::Beam(_) | Body::Cable(_), at) => {
             let (s, length) = (body.arc_length(at), body.length());
             let beyond = length > 0.0 && s > length * (1.0 + ON_AXIS);
             beyond.then(|| {
-                let wanted = format!("at most {}, the length of {name}", number(length));
-                finding(format!("{path}.at"), number(s), wanted).rests_on(rests_on(["from", "to", "shape"]))
+                let expected = format!("at most {}, the length of {name}", number(length));
+                finding(format!("{path}.at"), number(s), expected).rests_on(rests_on(["from", "to", "shape"]))
             })
         }
         (Body::Rigid(_), At::Point(_)) | (_, At::Named(NamedPosition::Center)) => None,
@@ -73,11 +73,11 @@ pub(crate) fn rule_of_place(model: &IndexedModel<'_>, path: String, place: &Plac
                 At::Length(s) => number(s),
                 At::Point(_) => "a point".into(),
             };
-            let wanted = match body {
+            let expected = match body {
                 Body::Mass(_) => format!("\"center\": {name} is a point mass"),
                 _ => format!("\"center\" or a point [x, y, z]: {name} is rigid"),
             };
-            Some(finding(format!("{path}.at"), found, wanted).rests_on(rests_on(["kind"; 3])))
+            Some(finding(format!("{path}.at"), found, expected).rests_on(rests_on(["kind"; 3])))
         }
     }
 }

@@ -30,9 +30,9 @@ pub(crate) fn spans(model: &IndexedModel<'_>) -> Vec<Finding> {
         let (a, b) = joint.ends();
         let key = format!("{path}.b");
         let drawn = joint.kind().accepts_ground_point();
-        let wanted = "a place on another body or a point of the ground, `{ point = [x, y, z] }`";
+        let expected = "a place on another body or a point of the ground, `{ point = [x, y, z] }`";
         match (joint.kind().spans(), b) {
-            (true, End::Ground) => Some(finding(key, "\"ground\"", wanted)),
+            (true, End::Ground) => Some(finding(key, "\"ground\"", expected)),
             (true, b) => {
                 let (_, body) = body(model, a)?;
                 let there = match b {
@@ -43,13 +43,13 @@ pub(crate) fn spans(model: &IndexedModel<'_>) -> Vec<Finding> {
                 let length = if body.is_flexible() { body.length() } else { model.length() };
                 let apart = (model.point(a)? - there).norm();
                 let rests_on = ["bodies".to_owned(), format!("{path}.a")];
-                let wanted = "one that is elsewhere; \"bushing\" is a spring between points that coincide";
+                let expected = "one that is elsewhere; \"bushing\" is a spring between points that coincide";
                 (apart <= COINCIDENT * length)
-                    .then(|| finding(key, "the point of `a`", wanted).rests_on(rests_on))
+                    .then(|| finding(key, "the point of `a`", expected).rests_on(rests_on))
             }
             (false, End::Point(_)) if !drawn => {
-                let wanted = "\"ground\" or a place on a body";
-                Some(finding(key, "a point of the ground", wanted))
+                let expected = "\"ground\" or a place on a body";
+                Some(finding(key, "a point of the ground", expected))
             }
             _ => None,
         }
@@ -76,18 +76,18 @@ fn rule_of_drive(
     [own, rate]: [&str; 2],
 ) -> Option<Finding> {
     let drive = actions.drive?;
-    let wanted = || format!("either `{own}` or `{rate}`");
+    let expected = || format!("either `{own}` or `{rate}`");
     match drive.amounts {
-        [Some(_), Some(_)] => Some(finding(path.into(), format!("both `{own}` and `{rate}`"), wanted())),
-        [None, None] => Some(finding(path.into(), format!("neither `{own}` nor `{rate}`"), wanted())),
+        [Some(_), Some(_)] => Some(finding(path.into(), format!("both `{own}` and `{rate}`"), expected())),
+        [None, None] => Some(finding(path.into(), format!("neither `{own}` nor `{rate}`"), expected())),
         [None, Some(_)] => {
             let open = drive.time.compile().is_ok_and(|function| function.integral().is_none());
             let what = match drive.time {
                 TimeFunction::Varying(Varying::External { .. }) => "an external function",
                 _ => "a formula",
             };
-            let wanted = format!("a function with an integral in closed form, or {what} of the `{own}`");
-            open.then(|| finding(format!("{path}.time"), format!("{what} of a rate"), wanted))
+            let expected = format!("a function with an integral in closed form, or {what} of the `{own}`");
+            open.then(|| finding(format!("{path}.time"), format!("{what} of a rate"), expected))
         }
         [Some(amount), None] => {
             let function = drive.time.compile().ok()?;
@@ -116,9 +116,9 @@ pub(crate) fn couplings(model: &IndexedModel<'_>) -> Vec<Finding> {
     for (i, coupling) in model.couplings.iter().enumerate() {
         let (count, most) = (coupling.joints.len(), LOCAL - 1);
         if count > most {
-            let (found, wanted) =
+            let (found, expected) =
                 (format!("{count} joints"), format!("at most {most}, or several couplings"));
-            findings.push(finding(format!("couplings[{i}].joints"), found, wanted));
+            findings.push(finding(format!("couplings[{i}].joints"), found, expected));
         }
         for (k, part) in coupling.joints.iter().enumerate() {
             let path = format!("couplings[{i}].joints[{k}]");
@@ -142,8 +142,8 @@ fn rule_of_part(model: &IndexedModel<'_>, path: &str, part: &Coupled, before: &[
     };
     let Some(listed) = listed else {
         let found = format!("{}, which has no single angle or displacement", quoted(&part.joint));
-        let wanted = "a \"revolute\", \"cylindrical\", \"prismatic\" or \"slide\" joint";
-        return Some(finding(key, found, wanted).rests_on(["joints".into()]));
+        let expected = "a \"revolute\", \"cylindrical\", \"prismatic\" or \"slide\" joint";
+        return Some(finding(key, found, expected).rests_on(["joints".into()]));
     };
     if model.coupled_coordinate(part).is_none() {
         let found = "a coordinate that the joint does not have";

@@ -40,8 +40,8 @@ pub(crate) fn bases(model: &IndexedModel<'_>) -> Vec<Finding> {
     let base = |(path, load): (String, &Load)| {
         (wet && matches!(load, Load::BaseAcceleration(_))).then(|| {
             let found = "an accelerating ground in a model with a fluid";
-            let wanted = "one or the other: how the fluid follows the ground is not known";
-            finding(format!("{path}.kind"), found, wanted).rests_on(["loads".into()])
+            let expected = "one or the other: how the fluid follows the ground is not known";
+            finding(format!("{path}.kind"), found, expected).rests_on(["loads".into()])
         })
     };
     loads_of(model).filter_map(base).collect()

@@ -35,9 +35,9 @@ pub(super) fn memory(model: &IndexedModel<'_>, available: Option<f64>) -> Option
     let available = available.filter(|&available| total > SMALL && total > available)?;
     let largest = parts.iter().max_by(|a, b| a.bytes.total_cmp(&b.bytes))?;
     let found = format!("{}, in all about {} of memory", largest.what, size(total));
-    let wanted = format!("at most {}, the available memory of this machine", size(available));
+    let expected = format!("at most {}, the available memory of this machine", size(available));
     let rests_on = ["bodies", "contacts", "probes", "joints", "analysis"].map(str::to_owned);
-    Some(finding(largest.path.to_owned(), found, wanted).rests_on(rests_on))
+    Some(finding(largest.path.to_owned(), found, expected).rests_on(rests_on))
 }
 
 /// Memory of the parts of a model.
@@ -152,7 +152,7 @@ mod tests {
             let found = memory(&model, Some(0.3e9)).expect("the model does not fit");
             assert_eq!(found.error.path, path);
             assert!(found.error.found.starts_with(what), "{}", found.error.found);
-            assert!(found.error.wanted.contains("0.3 GB"), "{}", found.error.wanted);
+            assert!(found.error.expected.contains("0.3 GB"), "{}", found.error.expected);
             assert!(memory(&model, Some(20e9)).is_none() && memory(&model, None).is_none());
         }
         let data: toml::Value = toml::Value::Table(text(100, 5, 3).parse().unwrap());

@@ -89,8 +89,8 @@ fn rule_of_names(names: Vec<(String, &str)>) -> Vec<Finding> {
             Entry::Occupied(first) => *first.get(),
         };
         let found = format!("{} a second time", quoted(name));
-        let wanted = format!("a name of its own; `{first}` has this one");
-        Some(finding(format!("{path}.name"), found, wanted).rests_on([format!("{first}.name")]))
+        let expected = format!("a name of its own; `{first}` has this one");
+        Some(finding(format!("{path}.name"), found, expected).rests_on([format!("{first}.name")]))
     });
     spaced.chain(twice).collect()
 }
@@ -106,8 +106,8 @@ fn size(model: &IndexedModel<'_>) -> Vec<Finding> {
     let total: u64 = bodies_of(model).map(|(_, body)| u64::from(body.elements())).sum();
     let largest = bodies_of(model).max_by_key(|(_, body)| body.elements()).filter(|_| total > MAX_ELEMENTS);
     let error = largest.map(|(path, _)| {
-        let wanted = format!("at most {MAX_ELEMENTS} over all bodies");
-        finding(format!("{path}.elements"), format!("{total} elements in all"), wanted)
+        let expected = format!("at most {MAX_ELEMENTS} over all bodies");
+        finding(format!("{path}.elements"), format!("{total} elements in all"), expected)
             .hint(memory_of(total as f64))
             .rests_on(bodies_of(model).map(|(path, _)| format!("{path}.elements")))
     });
@@ -145,9 +145,9 @@ fn rule_of_joint(
     let length = if length > 0.0 { length } else { model.length() };
     let near = (body_a.arc_length(a.at) - body_b.arc_length(b.at)).abs() <= ON_AXIS * length;
     if path_a == path_b && near && (r_a - r_b).norm() <= ON_AXIS * length {
-        let wanted = "a place on another body, or \"ground\"";
+        let expected = "a place on another body, or \"ground\"";
         return Some(
-            finding(format!("{path}.b"), "the same place as `a`", wanted)
+            finding(format!("{path}.b"), "the same place as `a`", expected)
                 .rests_on(ends(path, &path_a, &path_b)),
         );
     }

@@ -39,7 +39,7 @@ pub(crate) fn scheme(model: &IndexedModel<'_>) -> Vec<Finding> {
     let (path, key) = path_and_found(*scheme);
     let joints = !model.joints.is_empty();
     let found = |what: &str| if key == "0" { key.clone() } else { format!("{key}, which has {what}") };
-    let error = |found: String, wanted: &str, hint: &str| finding(path.into(), found, wanted).hint(hint);
+    let error = |found: String, expected: &str, hint: &str| finding(path.into(), found, expected).hint(hint);
     let rule = if numbers.beta == 0.0 {
         let reason = "an explicit scheme leaves the reactions of joints undetermined, since their rows β h² Φ_q vanish";
         error(found("β = 0"), "β > 0, as in \"average_acceleration\" or \"adams\"", reason)
@@ -52,21 +52,25 @@ pub(crate) fn scheme(model: &IndexedModel<'_>) -> Vec<Finding> {
                       3.7 for γ = 1/2, β = 1/6";
         error(found("2β < γ"), "2β ≥ γ in a model with joints", reason).rests_on(["joints".into()])
     } else if step.fixed().is_none() && numbers.averaging.is_some() {
-        let wanted = "a generalized-α scheme, such as { spectral_radius = 0.6 }, or a fixed `step`";
+        let expected = "a generalized-α scheme, such as { spectral_radius = 0.6 }, or a fixed `step`";
         error(
             key,
-            wanted,
+            expected,
             "the energy-momentum scheme does not damp the disturbance that each change of the step makes",
         )
         .rests_on(["analysis.step".into()])
     } else if step.fixed().is_none() && !numbers.is_second_order() {
-        let wanted = "a scheme of second order, such as { spectral_radius = 0.8 }";
-        error(key, wanted, "adaptive steps go by an error that is of third order in the step")
+        let expected = "a scheme of second order, such as { spectral_radius = 0.8 }";
+        error(key, expected, "adaptive steps go by an error that is of third order in the step")
             .rests_on(["analysis.step".into()])
     } else if step.fixed().is_none() && joints && numbers.gamma <= 0.5 {
-        let wanted = "a scheme that damps, such as { spectral_radius = 0.8 }";
-        error(key, wanted, "without damping every change of the step makes the reactions of joints alternate")
-            .rests_on(["analysis.step".into(), "joints".into()])
+        let expected = "a scheme that damps, such as { spectral_radius = 0.8 }";
+        error(
+            key,
+            expected,
+            "without damping every change of the step makes the reactions of joints alternate",
+        )
+        .rests_on(["analysis.step".into(), "joints".into()])
     } else {
         return Vec::new();
     };
@@ -88,9 +92,9 @@ pub(crate) fn errors(model: &IndexedModel<'_>) -> Vec<Finding> {
         Analysis::Dynamics(_) if !model.contacts.is_empty() => ("true with contacts", "contacts"),
         _ => return Vec::new(),
     };
-    let wanted =
+    let expected =
         "false; errors are estimated in statics, and in dynamics with generalized-α schemes without contacts";
-    vec![finding("output.errors".into(), found, wanted).rests_on([rests_on.into()])]
+    vec![finding("output.errors".into(), found, expected).rests_on([rests_on.into()])]
 }
 
 /// Key of a scheme and its description, for findings.

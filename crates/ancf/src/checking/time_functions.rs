@@ -26,12 +26,12 @@ fn rule_of_function(path: &str, time: &TimeFunction) -> Option<Finding> {
             Some(finding(format!("{}[{}]", key("times"), at + 1), found, "times in order"))
         }
         Varying::Ramp { start, end } => (start >= end).then(|| {
-            let wanted = format!("a time after the start, {}", number(*start));
-            finding(key("end"), number(*end), wanted).rests_on([key("start")])
+            let expected = format!("a time after the start, {}", number(*start));
+            finding(key("end"), number(*end), expected).rests_on([key("start")])
         }),
         Varying::Step { at, until: Some(until) } => (at >= until).then(|| {
-            let wanted = format!("a time after `at`, {}", number(*at));
-            finding(key("until"), number(*until), wanted).rests_on([key("at")])
+            let expected = format!("a time after `at`, {}", number(*at));
+            finding(key("until"), number(*until), expected).rests_on([key("at")])
         }),
         Varying::Step { until: None, .. } | Varying::Sine { .. } => None,
         Varying::Expression { text, .. } => rule_of_formula(key("text"), text, time),
@@ -78,10 +78,10 @@ pub(crate) fn ground_points(model: &IndexedModel<'_>) -> Vec<Finding> {
         let length = if body.is_flexible() { body.length() } else { model.length() };
         (is_dynamic(model) && !model.assemble && apart > COINCIDENT * length).then(|| {
             let found = format!("a point that is {} away from `a`", number(apart));
-            let wanted = "in dynamics, the point of `a` in the undeformed state";
+            let expected = "in dynamics, the point of `a` in the undeformed state";
             let rests_on = ["from", "to", "shape"].map(|key| format!("{owner}.{key}"));
             let rests_on = rests_on.into_iter().chain(["a.body", "a.at"].map(|key| format!("{path}.{key}")));
-            finding(format!("{path}.b.point"), found, wanted)
+            finding(format!("{path}.b.point"), found, expected)
                 .hint("`assemble = true` closes the gap")
                 .rests_on(rests_on)
         })

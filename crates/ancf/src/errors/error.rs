@@ -12,7 +12,7 @@ pub struct ModelError {
     /// Value or problem that was found.
     pub found: String,
     /// Expected value; empty if `found` is a complete message.
-    pub wanted: String,
+    pub expected: String,
     /// Suggestion, such as the corrected key.
     pub hint: Option<String>,
     /// Position in the text.
@@ -32,8 +32,8 @@ pub struct Position {
 
 impl ModelError {
     /// Error at `path`.
-    pub fn new(path: impl Into<String>, found: impl Into<String>, wanted: impl Into<String>) -> Self {
-        Self { path: path.into(), found: found.into(), wanted: wanted.into(), hint: None, at: None }
+    pub fn new(path: impl Into<String>, found: impl Into<String>, expected: impl Into<String>) -> Self {
+        Self { path: path.into(), found: found.into(), expected: expected.into(), hint: None, at: None }
     }
 
     /// Adds a suggestion.
@@ -52,9 +52,9 @@ impl fmt::Display for ModelError {
         if !self.path.is_empty() {
             write!(f, "{}: ", self.path)?;
         }
-        match self.wanted.as_str() {
+        match self.expected.as_str() {
             "" => f.write_str(&self.found)?,
-            wanted => write!(f, "found {}, wanted {wanted}", self.found)?,
+            expected => write!(f, "found {}, expected {expected}", self.found)?,
         }
         if let Some(hint) = &self.hint {
             write!(f, " ({hint})")?;

@@ -20,8 +20,8 @@ impl From<ModelError> for Finding {
 }
 
 /// Finding at the path of a key, with the found and the expected value.
-pub fn finding(path: String, found: impl Into<String>, wanted: impl Into<String>) -> Finding {
-    ModelError::new(path, found, wanted).into()
+pub fn finding(path: String, found: impl Into<String>, expected: impl Into<String>) -> Finding {
+    ModelError::new(path, found, expected).into()
 }
 
 impl Finding {

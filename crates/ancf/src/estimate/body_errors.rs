@@ -2,7 +2,7 @@ use serde::{Deserialize, Serialize};
 
 use super::gap_field::{BodyGaps, GapField};
 
-/// Wanted relative error for which the number of elements is stated.
+/// Expected relative error for which the number of elements is stated.
 const WANTED: f64 = 0.01;
 /// Share of the error below which a body does not contribute.
 pub(super) const NEGLIGIBLE: f64 = 0.01;
@@ -48,16 +48,16 @@ impl BodyError {
             let (body, error) = (names[number].to_owned(), sizes[number]);
             let order = field.body(number).and_then(|body| body.order).filter(|_| is_relative);
             let found = Self { body, elements, error, share: share(error), elements_for_one_percent: None };
-            let wanted = order.map(|order| found.elements_for(WANTED, contributing, order));
-            Self { elements_for_one_percent: wanted, ..found }
+            let expected = order.map(|order| found.elements_for(WANTED, contributing, order));
+            Self { elements_for_one_percent: expected, ..found }
         };
         field.bodies().map(|(number, body)| of_body((number, body.mesh.count()))).collect()
     }
 
     /// Number of elements, at least one, for a relative error to which a number of bodies contributes in equal parts, at an order of
     /// convergence.
-    pub(super) fn elements_for(&self, wanted: f64, contributing: usize, order: f64) -> usize {
-        let excess = self.error * contributing.max(1) as f64 / wanted;
+    pub(super) fn elements_for(&self, expected: f64, contributing: usize, order: f64) -> usize {
+        let excess = self.error * contributing.max(1) as f64 / expected;
         (excess.powf(1.0 / order) * self.elements as f64).ceil().max(1.0) as usize
     }
 }

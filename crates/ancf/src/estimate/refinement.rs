@@ -12,7 +12,7 @@ use crate::model::{Body, Model};
 const MESHES: usize = 10;
 /// Largest factor between the numbers of elements of consecutive meshes.
 const LARGEST: f64 = 4.0;
-/// Part of the wanted error that a refined mesh aims at.
+/// Part of the requested error that a refined mesh aims at.
 const AIM: f64 = 0.7;
 /// Ratio of the errors of consecutive meshes above which the refinement has no effect.
 const NO_EFFECT: f64 = 0.8;
@@ -44,7 +44,7 @@ impl fmt::Display for MeshStep {
 /// Refinement of the bodies of a model until the estimated error meets a wish.
 #[derive(Clone, Debug)]
 pub struct Refinement {
-    wanted: f64,
+    requested: f64,
     meshes: Vec<MeshStep>,
     failures: usize,
 }
@@ -52,7 +52,7 @@ pub struct Refinement {
 /// Result of a run in a refinement.
 #[derive(Clone, Debug, PartialEq)]
 pub enum RefinementStep {
-    /// The error is as small as wanted.
+    /// The error is as small as requested.
     Reached,
     /// The next model.
     Next(Box<Model>),
@@ -62,8 +62,8 @@ pub enum RefinementStep {
 
 impl Refinement {
     /// Creates a refinement to a relative error.
-    pub const fn new(wanted: f64) -> Self {
-        Self { wanted, meshes: Vec::new(), failures: 0 }
+    pub const fn new(requested: f64) -> Self {
+        Self { requested, meshes: Vec::new(), failures: 0 }
     }
 
     /// Meshes so far.
@@ -88,7 +88,7 @@ impl Refinement {
             (_, None) => {
                 RefinementStep::Ended("no probe moves, so there is no error of a displacement".into())
             }
-            (_, Some(error)) if error <= self.wanted => RefinementStep::Reached,
+            (_, Some(error)) if error <= self.requested => RefinementStep::Reached,
             (_, Some(error)) if before.is_some_and(|before| error > NO_EFFECT * before) => {
                 RefinementStep::Ended(format!(
                     "the finer mesh has the same error, {}: it is that of the formulation or of the section law",
@@ -99,10 +99,10 @@ impl Refinement {
                 let contributing = errors.bodies.iter().filter(|body| body.share > NEGLIGIBLE).count();
                 self.next(model, |body| {
                     let found = errors.bodies.iter().find(|found| found.body == body.name());
-                    let wanted = found.map_or(0, |found| {
-                        found.elements_for(AIM * self.wanted, contributing, body.convergence_order())
+                    let requested = found.map_or(0, |found| {
+                        found.elements_for(AIM * self.requested, contributing, body.convergence_order())
                     });
-                    wanted.max(body.elements() as usize)
+                    requested.max(body.elements() as usize)
                 })
             }
         }
@@ -128,16 +128,16 @@ impl Refinement {
         let mut has_changed = false;
         for body in &mut next.bodies {
             let now = body.elements() as usize;
-            let wanted = nodal(model, body, count(body).min((now as f64 * LARGEST) as usize));
-            if wanted > ELEMENTS {
+            let requested = nodal(model, body, count(body).min((now as f64 * LARGEST) as usize));
+            if requested > ELEMENTS {
                 return RefinementStep::Ended(format!(
                     "body `{}` requires more than {ELEMENTS} elements",
                     body.name()
                 ));
             }
-            if wanted > now {
+            if requested > now {
                 has_changed = true;
-                body.set_elements(wanted as u32);
+                body.set_elements(requested as u32);
             }
         }
         if has_changed {

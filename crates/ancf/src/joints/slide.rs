@@ -76,21 +76,21 @@ impl JointKind for Slide {
 impl Slide {
     /// Finding if the second end is not on an axis with a continuous tangent.
     fn check_axis(&self, path: &str, context: &dyn JointContext) -> Option<Finding> {
-        let wanted = "a place on a cable or on a beam of two-node elements";
+        let expected = "a place on a cable or on a beam of two-node elements";
         let End::Place(place) = &self.b else {
-            return Some(finding(format!("{path}.b"), "the ground", wanted));
+            return Some(finding(format!("{path}.b"), "the ground", expected));
         };
         let quadratic = "a beam of formulation \"quadratic\", whose tangent has kinks";
         let found = match context.body(place)? {
             Body::Beam(beam) if beam.formulation.has_middle_node() => quadratic,
             Body::Beam(_) | Body::Cable(_) if place.offset == [0.0; 3] => return None,
             Body::Beam(_) | Body::Cable(_) => {
-                let wanted = "no arm, since the point slides along the axis";
-                return Some(finding(format!("{path}.b.offset"), "an arm", wanted));
+                let expected = "no arm, since the point slides along the axis";
+                return Some(finding(format!("{path}.b.offset"), "an arm", expected));
             }
             Body::Rigid(_) => "a rigid body",
             Body::Mass(_) => "a point mass",
         };
-        Some(finding(format!("{path}.b.body"), found, wanted).rests_on(["bodies".into()]))
+        Some(finding(format!("{path}.b.body"), found, expected).rests_on(["bodies".into()]))
     }
 }

@@ -146,8 +146,8 @@ impl LoadKind for Fluid {
             let shapeless =
                 sections.find(|&name| context.section(name).is_some_and(|s| self.hull(s).is_none()));
             if let Some(section) = shapeless {
-                let wanted = format!("the diameter of {} that meets the flow, a number > 0", quoted(name));
-                let error = finding(format!("{path}.diameter"), "no key `diameter`", wanted)
+                let expected = format!("the diameter of {} that meets the flow, a number > 0", quoted(name));
+                let error = finding(format!("{path}.diameter"), "no key `diameter`", expected)
                     .hint("the section is not round");
                 let rests_on = [format!("{path}.diameter"), format!("sections.{section}"), owner];
                 findings.push(Finding { absence: true, ..error.rests_on(rests_on) });

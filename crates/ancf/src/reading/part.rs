@@ -15,7 +15,7 @@ use crate::schema::{SCHEMA, SchemaCheck, did_you_mean};
 /// ```
 /// let circle = toml::toml! { kind = "circle" diameter = -1 };
 /// let errors = ancf::reading::check_part("Section", &circle.into()).unwrap_err();
-/// assert_eq!(errors.to_string(), "diameter: found -1, wanted a number > 0");
+/// assert_eq!(errors.to_string(), "diameter: found -1, expected a number > 0");
 /// ```
 pub fn check_part(definition: &str, data: &Value) -> Result<(), ModelErrors> {
     let schema = schema_of(definition).ok_or_else(|| ModelErrors(vec![unknown_definition(definition)]))?;
@@ -32,6 +32,6 @@ fn schema_of(definition: &str) -> Option<&'static Json> {
 fn unknown_definition(definition: &str) -> ModelError {
     let definitions = || SCHEMA["$defs"].as_object().into_iter().flatten().map(|(name, _)| &**name);
     let names = || ["Model"].into_iter().chain(definitions());
-    let wanted = format!("a definition of the schema: {}", listed(names().map(quoted), "or"));
-    did_you_mean(ModelError::new("", quoted(definition), wanted), nearest(definition, names()).map(quoted))
+    let expected = format!("a definition of the schema: {}", listed(names().map(quoted), "or"));
+    did_you_mean(ModelError::new("", quoted(definition), expected), nearest(definition, names()).map(quoted))
 }

@@ -54,7 +54,7 @@ impl Model {
     ///
     /// ```
     /// let errors = ancf::Model::parse("gravity = [0, -9.81]").unwrap_err();
-    /// assert_eq!(errors[2].to_string(), "1:11: gravity: found an array of 2, wanted an array of 3 numbers");
+    /// assert_eq!(errors[2].to_string(), "1:11: gravity: found an array of 2, expected an array of 3 numbers");
     /// ```
     pub fn parse(text: &str) -> Result<Self, ModelErrors> {
         parse_checked(text, check_data)
@@ -109,8 +109,8 @@ fn located(finding: Finding, document: &Document, text: &str) -> ModelError {
 }
 
 fn too_large() -> ModelError {
-    let (found, wanted) = ("more than 100 MB", "a model file of at most 100 MB");
-    ModelError::new("", found, wanted)
+    let (found, expected) = ("more than 100 MB", "a model file of at most 100 MB");
+    ModelError::new("", found, expected)
         .hint("long bodies are one entry with many `elements`; series are `table`s of time")
 }
 

@@ -41,7 +41,7 @@ const REFERENCES: [(&str, &str); 5] = [
 /// assert_eq!(set, ["materials.steel.young"]);
 ///
 /// let error = ancf::reading::substitute(&mut data, "bodies.rop.elements", 3.into()).unwrap_err();
-/// assert_eq!(error.to_string(), "bodies.rop: found no `rop`, wanted `rope` (did you mean `rope`?)");
+/// assert_eq!(error.to_string(), "bodies.rop: found no `rop`, expected `rope` (did you mean `rope`?)");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn substitute(data: &mut Value, path: &str, value: Value) -> Result<Vec<String>, ModelError> {
@@ -97,9 +97,9 @@ fn resolve<'a>(data: &'a Value, path: &[PathStep]) -> Result<Vec<Location<'a>>, 
         let of_bodies = || forms(&SCHEMA["properties"]["bodies"]["items"]).into_iter().flat_map(keys);
         let is_known = of_bodies().any(|key| key == first);
         let found = if is_known { format!("no body that can have `{first}`") } else { unknown(first) };
-        let wanted = "a key of the model or of a body".to_owned();
+        let expected = "a key of the model or of a body".to_owned();
         let near = nearest(first, keys(&SCHEMA).into_iter().chain(of_bodies())).filter(|_| !is_known);
-        return Err(did_you_mean(ModelError::new(path_of(&path[..1]), found, wanted), near.map(ticked)));
+        return Err(did_you_mean(ModelError::new(path_of(&path[..1]), found, expected), near.map(ticked)));
     }
     Ok(locations)
 }
@@ -177,8 +177,8 @@ impl<'a> Location<'a> {
                 known.sort_unstable();
                 known.dedup();
                 let near = nearest(key, known.iter().copied());
-                let wanted = listed(known.iter().copied().map(ticked), "or");
-                Err(did_you_mean(ModelError::new(path_of(path), unknown(key), wanted), near.map(ticked)))
+                let expected = listed(known.iter().copied().map(ticked), "or");
+                Err(did_you_mean(ModelError::new(path_of(path), unknown(key), expected), near.map(ticked)))
             }
         }
     }
@@ -191,12 +191,12 @@ impl<'a> Location<'a> {
         match index {
             Some(i) => Ok(self.item(i)),
             None if names.is_empty() && !items.is_empty() => {
-                let wanted =
+                let expected =
                     format!("an index from 0 in brackets, such as `{}[0]`", path_of(&path[..path.len() - 1]));
                 Err(ModelError::new(
                     path_of(path),
                     format!("`{name}` after {}", found(&Value::Array(items.to_vec()))),
-                    wanted,
+                    expected,
                 ))
             }
             None => Err(no_such_name(name, &names, path)),
@@ -263,27 +263,27 @@ fn unknown(key: &str) -> String {
 }
 
 fn no_such_name(name: &str, names: &[&str], path: &[PathStep]) -> ModelError {
-    let wanted = match names {
+    let expected = match names {
         [] => "a path without a name, since there are no items".to_owned(),
         names => listed(names.iter().copied().map(ticked), "or"),
     };
-    let error = ModelError::new(path_of(path), format!("no `{name}`"), wanted);
+    let error = ModelError::new(path_of(path), format!("no `{name}`"), expected);
     did_you_mean(error, nearest(name, names.iter().copied()).map(ticked))
 }
 
 fn out_of_range(i: usize, count: usize, path: &[PathStep]) -> ModelError {
-    let wanted = match count {
+    let expected = match count {
         0 => "a path without an index, since there are no items".to_owned(),
         1 => "the only item, `[0]`".to_owned(),
         _ => format!("an index from `[0]` to `[{}]`", count - 1),
     };
-    ModelError::new(path_of(path), format!("index `[{i}]`"), wanted)
+    ModelError::new(path_of(path), format!("index `[{i}]`"), expected)
 }
 
 /// Error of a path that is too long, or that has an index where there are keys.
 fn no_such_step(value: Option<&Value>, step: &PathStep, path: &[PathStep]) -> ModelError {
     let before = path_of(&path[..path.len() - 1]);
-    let (found, wanted) = match (value, step) {
+    let (found, expected) = match (value, step) {
         (Some(Value::Table(_)), PathStep::Index(i)) => {
             (format!("index `[{i}]` of a table"), "a key".to_owned())
         }
@@ -291,7 +291,7 @@ fn no_such_step(value: Option<&Value>, step: &PathStep, path: &[PathStep]) -> Mo
         (Some(value), _) => (format!("{} before it", found(value)), path_end(&before)),
         (None, _) => (format!("no `{before}` before it"), format!("a value for `{before}` as a whole")),
     };
-    ModelError::new(path_of(path), found, wanted)
+    ModelError::new(path_of(path), found, expected)
 }
 
 fn path_end(before: &str) -> String {

@@ -99,7 +99,7 @@ pub(crate) fn allows(form: &Json, x: f64) -> bool {
 }
 
 /// Description of the values that a form allows.
-pub(crate) fn wanted(form: &'static Json) -> String {
+pub(crate) fn expected(form: &'static Json) -> String {
     match kind(form) {
         "number" => format!("a number{}", limits(form)),
         "integer" => format!("an integer{}", limits(form)),
@@ -150,10 +150,10 @@ pub(crate) fn wanted_of(forms: &[&'static Json]) -> String {
     match tags.first() {
         Some((key, _)) if tags.len() > 1 => {
             let tagged = listed(tags.iter().map(|(_, word)| quoted(word)), "or");
-            let others = forms.iter().filter(|form| tag(form).is_none()).map(|form| wanted(form));
+            let others = forms.iter().filter(|form| tag(form).is_none()).map(|form| expected(form));
             listed(others.chain([format!("a table with `{key}` = {tagged}")]), "or")
         }
-        _ => listed(forms.iter().map(|form| wanted(form)), "or"),
+        _ => listed(forms.iter().map(|form| expected(form)), "or"),
     }
 }
 

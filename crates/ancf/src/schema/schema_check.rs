@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 use serde_json::Value as Json;
 use toml::{Table, Value};
 
-use super::generate::{allows, forms, found, is_free, keys, kind, required, tag, wanted, wanted_of};
+use super::generate::{allows, expected, forms, found, is_free, keys, kind, required, tag, wanted_of};
 use crate::errors::{Finding, ModelError, listed, nearest, quoted};
 
 /// Result of the check of data against a schema.
@@ -72,10 +72,10 @@ impl SchemaCheck {
             _ => return self.wrong_type(&[form], value, path),
         };
         if !x.is_finite() {
-            self.report(path, value, wanted(form).replacen("a number", "a finite number", 1));
+            self.report(path, value, expected(form).replacen("a number", "a finite number", 1));
         } else if !allows(form, x) {
             let too_large = kind(form) == "integer" && x > f64::from(u32::MAX);
-            self.report(path, value, if too_large { "an integer < 2³²".into() } else { wanted(form) });
+            self.report(path, value, if too_large { "an integer < 2³²".into() } else { expected(form) });
         } else {
             return value.clone();
         }
@@ -110,7 +110,7 @@ impl SchemaCheck {
             self.replaced.push(path.to_owned());
         }
         if !(min..=max).contains(&items.len()) {
-            self.report(path, &Value::Array(items.to_vec()), wanted(form));
+            self.report(path, &Value::Array(items.to_vec()), expected(form));
             self.replaced.push(path.to_owned());
             corrected.resize_with(corrected.len().clamp(min, max), || placeholder(&form["items"]));
         }
@@ -144,13 +144,13 @@ impl SchemaCheck {
             return (form, true);
         }
         let near = word.and_then(|word| nearest(word, words()));
-        let wanted = listed(words().map(quoted), "or");
+        let expected = listed(words().map(quoted), "or");
         match stated {
             Some((spelt, value)) => {
-                let error = ModelError::new(join(path, spelt), found(value), wanted);
+                let error = ModelError::new(join(path, spelt), found(value), expected);
                 self.findings.push(did_you_mean(error, near.map(quoted)).into());
             }
-            None => self.missing(key, wanted, &Json::Null, path),
+            None => self.missing(key, expected, &Json::Null, path),
         }
         self.replaced.push(join(path, key));
         near.and_then(named)
@@ -234,18 +234,18 @@ impl SchemaCheck {
         self.replace(forms[0], path)
     }
 
-    fn report(&mut self, path: &str, value: &Value, wanted: String) {
-        self.findings.push(ModelError::new(path, found(value), wanted).into());
+    fn report(&mut self, path: &str, value: &Value, expected: String) {
+        self.findings.push(ModelError::new(path, found(value), expected).into());
     }
 
-    fn unknown(&mut self, key: &str, near: Option<&str>, wanted: String, path: &str) {
-        let error = ModelError::new(join(path, key), format!("unknown key `{key}`"), wanted);
+    fn unknown(&mut self, key: &str, near: Option<&str>, expected: String, path: &str) {
+        let error = ModelError::new(join(path, key), format!("unknown key `{key}`"), expected);
         let error = did_you_mean(error, near.map(|near| format!("`{near}`")));
         self.findings.push(Finding { at_key: true, ..error.into() });
     }
 
-    fn missing(&mut self, key: &str, wanted: String, description: &Json, path: &str) {
-        let mut error = ModelError::new(join(path, key), format!("no key `{key}`"), wanted);
+    fn missing(&mut self, key: &str, expected: String, description: &Json, path: &str) {
+        let mut error = ModelError::new(join(path, key), format!("no key `{key}`"), expected);
         let description = description.as_str().unwrap_or_default().replace('\n', " ");
         error.hint = description.split(". ").next().map(|text| text.trim_end_matches('.').to_owned());
         error.hint = error.hint.filter(|hint| !hint.is_empty());

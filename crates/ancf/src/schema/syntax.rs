@@ -177,17 +177,18 @@ pub(crate) fn position(text: &str, bytes: Range<usize>) -> Position {
 /// Converts an error of the TOML parser.
 fn error(text: &str, error: &toml::de::Error, span: Range<usize>) -> ModelError {
     let word = text.get(span.clone()).unwrap_or_default().trim();
-    let (what, wanted) = error.message().split_once(", expected ").unwrap_or((error.message(), "valid TOML"));
-    let (found, wanted) = match what {
+    let (what, expected) =
+        error.message().split_once(", expected ").unwrap_or((error.message(), "valid TOML"));
+    let (found, expected) = match what {
         "string values must be quoted" if word.is_empty() => ("no value".into(), "a value"),
         "string values must be quoted" => {
             (format!("`{word}` without quotes"), "a text in quotes, a number, true or false")
         }
         "duplicate key" => (format!("`{word}` a second time"), "every key once"),
-        _ if word.is_empty() || what.contains(word) => (what.into(), wanted),
-        _ => (format!("{what} `{word}`"), wanted),
+        _ if word.is_empty() || what.contains(word) => (what.into(), expected),
+        _ => (format!("{what} `{word}`"), expected),
     };
-    ModelError { at: Some(position(text, span)), ..ModelError::new("", found, wanted) }
+    ModelError { at: Some(position(text, span)), ..ModelError::new("", found, expected) }
 }
 
 fn unclosed_error(text: &str, start: usize) -> ModelError {

@@ -105,7 +105,7 @@ pub struct Summary {
     /// Dynamics: estimated errors of the time steps and of the mesh, on request.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub motion_errors: Option<MotionErrors>,
-    /// Meshes of a refinement to a wanted error, the last one that of these results.
+    /// Meshes of a refinement to a requested error, the last one that of these results.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub meshes: Vec<MeshStep>,
     /// Warnings, such as loss of stability during the run.

@@ -75,8 +75,8 @@ fn figures_are_written() {
         .filter(|node| node.has_tag_name("text"))
         .map(|node| node.text().unwrap_or_default().to_owned())
         .collect();
-    for wanted in ["t (s)", "tip.x", "tip.y", "tip.z", "m", "kinetic (J)"] {
-        assert!(texts.iter().any(|text| text == wanted), "{wanted} is not in {texts:?}");
+    for expected in ["t (s)", "tip.x", "tip.y", "tip.z", "m", "kinetic (J)"] {
+        assert!(texts.iter().any(|text| text == expected), "{expected} is not in {texts:?}");
     }
     folder.printed(&["plot", "out", "tip.y", "-o", "tip.png"]);
     let image = png::Decoder::new(std::io::BufReader::new(fs::File::open(folder.path("tip.png")).unwrap()));

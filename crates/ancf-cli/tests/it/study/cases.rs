@@ -71,7 +71,7 @@ fn parts_make_the_whole() {
     assert!(folder.run(&[], 0).starts_with("done: 5 cases (5 taken over), "));
     assert_eq!(folder.column("elements"), [1.0, 2.0, 3.0, 4.0, 5.0]);
     for wrong in ["0/2", "3/2", "2", "a/b"] {
-        assert!(folder.run(&["--index", wrong], 2).contains("wanted K/N with K from 1 to N"));
+        assert!(folder.run(&["--index", wrong], 2).contains("expected K/N with K from 1 to N"));
     }
 }
 

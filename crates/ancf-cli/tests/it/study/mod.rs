@@ -110,7 +110,7 @@ fn failures_are_rows() {
     assert!(message.contains("body `beam` can rotate"), "{message}");
     let message = text(&cases[2], "message");
     assert!(
-        message.contains("joints[0].axis: found no key `axis`, wanted an array of 3 numbers"),
+        message.contains("joints[0].axis: found no key `axis`, expected an array of 3 numbers"),
         "{message}"
     );
     assert!(

@@ -13,11 +13,11 @@ fn invalid_studies_are_rejected() {
              [objectives]\ntip = { column = \"tip.y\", take = \"men\" }",
             &[
                 ":2:1: sampels: found unknown key `sampels`",
-                ":3:11: combine: found \"grit\", wanted \"grid\" or \"zip\" (did you mean \"grid\"?)",
-                ":5:12: parameters.elements: found an empty array, wanted an array of at least one value",
-                ":6:5: parameters.x: found 5, wanted an array of at least one value or a table with `kind` = \"range\", ",
-                ":7:5: parameters.y.deviation: found no key `deviation`, wanted a number > 0",
-                ":9:34: objectives.tip.take: found \"men\", wanted \"first\", \"last\", \"mean\", \"min\", \"max\", \"amplitude\" or \
+                ":3:11: combine: found \"grit\", expected \"grid\" or \"zip\" (did you mean \"grid\"?)",
+                ":5:12: parameters.elements: found an empty array, expected an array of at least one value",
+                ":6:5: parameters.x: found 5, expected an array of at least one value or a table with `kind` = \"range\", ",
+                ":7:5: parameters.y.deviation: found no key `deviation`, expected a number > 0",
+                ":9:34: objectives.tip.take: found \"men\", expected \"first\", \"last\", \"mean\", \"min\", \"max\", \"amplitude\" or \
                  \"rms\" (did you mean \"mean\"?)",
             ][..],
         ),
@@ -26,19 +26,19 @@ fn invalid_studies_are_rejected() {
              \"bodies.beem.to\" = { kind = \"uniform\", low = 2, high = 1 }\n[objectives]\n\
              tip = { column = \"tip.yy\", take = \"mean\", row = 3 }\nseconds = { column = \"tip.x\" }",
             &[
-                ":4:12: parameters.elements: found 2 values, wanted 3, as many as `bodies.beam.elements` has",
+                ":4:12: parameters.elements: found 2 values, expected 3, as many as `bodies.beam.elements` has",
                 ":4:12: parameters.elements: found `bodies[0].elements`, which `bodies.beam.elements` sets too",
-                ":6:16: parameters.\"gravity[3]\": found index `[3]`, wanted an index from `[0]` to `[2]`",
-                ":7:20: parameters.\"bodies.beem.to\": found no `beem`, wanted `beam` (did you mean `beam`?)",
+                ":6:16: parameters.\"gravity[3]\": found index `[3]`, expected an index from `[0]` to `[2]`",
+                ":7:20: parameters.\"bodies.beem.to\": found no `beem`, expected `beam` (did you mean `beam`?)",
                 ":7:20: parameters.\"bodies.beem.to\": found a distribution without `samples`",
-                ":7:56: parameters.\"bodies.beem.to\".high: found 1, wanted a number > 2, which is `low`",
+                ":7:56: parameters.\"bodies.beem.to\".high: found 1, expected a number > 2, which is `low`",
                 ":9:18: objectives.tip.column: found \"tip.yy\", which is no column of the results",
                 "(did you mean \"tip.y\"?)",
-                ":9:49: objectives.tip.row: found both `take` and `row`, wanted one of them",
+                ":9:49: objectives.tip.row: found both `take` and `row`, expected one of them",
                 ":10:11: objectives.seconds: found `seconds`, which is another column of the results",
             ][..],
         ),
-        ("parameters = {", &[":2:15: found unclosed inline table, wanted `}`"][..]),
+        ("parameters = {", &[":2:15: found unclosed inline table, expected `}`"][..]),
     ] {
         let folder = StudyFolder::new(study);
         let output = folder.run(&[], 2);
@@ -60,7 +60,7 @@ fn an_invalid_model_is_rejected() {
     let output = folder.run(&[], 2);
     assert!(output.contains("study.toml:1:9: model: found \"model.toml\": no such file"), "{output}");
     fs::remove_file(folder.file("study.toml")).unwrap();
-    assert!(folder.run(&[], 2).contains("study.toml: found no such file, wanted a study file"));
+    assert!(folder.run(&[], 2).contains("study.toml: found no such file, expected a study file"));
 }
 
 /// A file that is not a table is not overwritten.
@@ -86,9 +86,9 @@ fn conflicting_parameters_are_rejected() {
     let output = folder.run(&[], 2);
     for message in [
         "parameters.\"materials.steel\": found `materials.steel`, of which `bodies.beam.material.young` sets a part, \
-         wanted every place to be set once (give the whole with its parts, or the parts alone)",
-        "parameters.\"gravity[1]\": found `gravity[1]`, which `gravity` sets too, wanted every place to be set once",
-        "parameters.\"section.diameter\": found a path through what `bodies.beam.section` sets, wanted a path that leads \
+         expected every place to be set once (give the whole with its parts, or the parts alone)",
+        "parameters.\"gravity[1]\": found `gravity[1]`, which `gravity` sets too, expected every place to be set once",
+        "parameters.\"section.diameter\": found a path through what `bodies.beam.section` sets, expected a path that leads \
          to the same place in every case (such as `sections.rod.diameter`)",
     ] {
         assert!(output.contains(message), "{message}\nis not in\n{output}");
@@ -109,15 +109,15 @@ fn limits_of_samples_and_cases() {
         (0..482).map(|k| format!("\"p{k}\" = {{ kind = \"normal\", mean = 0, deviation = 1 }}\n")).collect();
     let folder =
         StudyFolder::new(&format!("samples = 2\nsampling = \"sobol\"\n[parameters]\n{distributions}"));
-    let message = "parameters: found 482 distributions, wanted at most 481 in a Sobol sequence";
+    let message = "parameters: found 482 distributions, expected at most 481 in a Sobol sequence";
     assert!(folder.run(&[], 2).contains(message));
     folder.state(
         "samples = 2\n[parameters]\nelements = { kind = \"range\", from = 1, to = 9, count = 10000000 }\n\
                   \"gravity[1]\" = { kind = \"normal\", mean = 0, deviation = 1 }",
     );
-    assert!(folder.run(&[], 2).contains("found too many combinations, wanted at most 10 000 000 cases"));
+    assert!(folder.run(&[], 2).contains("found too many combinations, expected at most 10 000 000 cases"));
     folder.state("seed = 4294967296\nparameters.elements = [1]");
-    assert!(folder.run(&[], 2).contains("seed: found 4294967296, wanted"));
+    assert!(folder.run(&[], 2).contains("seed: found 4294967296, expected"));
 }
 
 /// Paths and columns refer to the model of the first case, not to the model in its file.

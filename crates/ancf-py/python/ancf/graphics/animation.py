@@ -162,7 +162,7 @@ class ModeSequence:
         row = elastic_modes(result)[0] if mode is None else mode
         count = len(result.frames)
         if not -count <= row < count:
-            msg = f"mode: found {row}, wanted less than {count}"
+            msg = f"mode: found {row}, expected less than {count}"
             raise IndexError(msg)
         self._lines, self._row = lines, row % count
         self._label = frame_label(result, self._row)
@@ -200,7 +200,7 @@ def _check_file(path: Path) -> None:
     from matplotlib.animation import FFMpegWriter
 
     if path.suffix.lower() not in {".gif", ".mp4", ".html"}:
-        msg = f"save: found {str(path)!r}, wanted a name that ends in .gif, .mp4 or .html"
+        msg = f"save: found {str(path)!r}, expected a name that ends in .gif, .mp4 or .html"
         raise ValueError(msg)
     with _ffmpeg():
         if path.suffix.lower() == ".mp4" and not FFMpegWriter.isAvailable():

@@ -104,7 +104,7 @@ class CurvePlots(ShapePlots):
             together = {label: column for own in curves.values() for label, column in own.items()}
             return _draw(self, together, x, ax, line)
         if ax is not None:
-            msg = "plot: found ax= and subplots=True, wanted one of them"
+            msg = "plot: found ax= and subplots=True, expected one of them"
             raise ValueError(msg)
         return _stacked(self, list(curves.values()), x, line)
 
@@ -189,7 +189,7 @@ def _abscissa(result: ResultData, x: str | None) -> tuple[str, Array]:
         return with_unit(words.get(first, first), result.units.get(first)), result.data[:, 0]
     found = columns(result, x)
     if len(found) != 1:
-        msg = f"x: found {x!r}, which has {', '.join(map(repr, found))}; wanted one column"
+        msg = f"x: found {x!r}, which has {', '.join(map(repr, found))}; expected one column"
         raise ValueError(msg)
     (label, numbers), *_ = found.items()
     return with_unit(label, _common_unit(result, found)), numbers
@@ -225,10 +225,10 @@ def columns(result: ResultData, name: str) -> dict[str, Array]:
     if name in {"energy", "total"}:
         return _energies(result, name)
     holder, _, vector = name.rpartition(".")
-    wanted = [(holder, VECTORS[vector])] if holder and vector in VECTORS else []
-    wanted += [(name, (suffix,)) for suffix in JOINT_COORDINATES if suffix not in {"rate", "speed"}]
-    wanted += [(name, VECTORS[each]) for each in (*Probe.QUANTITIES, "force")]
-    for whose, suffixes in wanted:
+    chosen = [(holder, VECTORS[vector])] if holder and vector in VECTORS else []
+    chosen += [(name, (suffix,)) for suffix in JOINT_COORDINATES if suffix not in {"rate", "speed"}]
+    chosen += [(name, VECTORS[each]) for each in (*Probe.QUANTITIES, "force")]
+    for whose, suffixes in chosen:
         labels = [f"{whose}.{suffix}" for suffix in suffixes]
         if all(label in result for label in labels):
             return {label: result[label] for label in labels}
@@ -242,7 +242,7 @@ def columns(result: ResultData, name: str) -> dict[str, Array]:
 def _energies(result: ResultData, name: str) -> dict[str, Array]:
     """Return all energies that are not zero, or the total energy. Kinetic energy is omitted in statics."""
     if "strain" not in result:
-        msg = f"{name}: found a result of {result.kind} without energies, wanted one that has them"
+        msg = f"{name}: found a result of {result.kind} without energies, expected one that has them"
         raise ValueError(msg)
     total = {"total": result.energy.total}
     if name == "total":

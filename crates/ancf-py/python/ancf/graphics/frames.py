@@ -23,22 +23,22 @@ def frame_numbers(
     if time is not None:
         times = np.atleast_1d(np.asarray(time, dtype=float))
         if not times.size or not np.isfinite(times).all():
-            msg = f"time: found {time}, wanted a finite number or several"
+            msg = f"time: found {time}, expected a finite number or several"
             raise ValueError(msg)
         if result.kind != "dynamics":
             msg = f"a result of {result.kind} has no time"
             raise AttributeError(msg)
         return [int(np.abs(result.frames - t).argmin()) for t in times]
-    wanted = list(frame) if isinstance(frame, Iterable) else [frame]
-    if not wanted or not all(isinstance(row, int | np.integer) for row in wanted):
-        msg = f"frame: found {frame}, wanted the number of a row or of several"
+    chosen = list(frame) if isinstance(frame, Iterable) else [frame]
+    if not chosen or not all(isinstance(row, int | np.integer) for row in chosen):
+        msg = f"frame: found {frame}, expected the number of a row or of several"
         raise ValueError(msg)
     count = len(result.frames)
-    for row in wanted:
+    for row in chosen:
         if not -count <= row < count:
             msg = f"frame {row}: the result has {count} {'rows' if count == len(result) else 'states'}"
             raise IndexError(msg)
-    return [int(row) % count for row in wanted]
+    return [int(row) % count for row in chosen]
 
 
 def frames_of_animation(result: ResultData, speed: float | None, fps: int) -> tuple[list[int], float]:
@@ -49,7 +49,7 @@ def frames_of_animation(result: ResultData, speed: float | None, fps: int) -> tu
     duration = float(time[-1] - time[0])
     speed = duration / DURATION if speed is None else speed
     if not 0 < speed < np.inf:
-        msg = f"speed: found {speed}, wanted a number > 0, or None"
+        msg = f"speed: found {speed}, expected a number > 0, or None"
         raise ValueError(msg)
     count = max(2, round(duration / speed * fps) + 1)
     at = np.linspace(time[0], time[-1], count)
@@ -68,14 +68,14 @@ def require_frames(result: ResultData) -> None:
     count = len(result.frames)
     # Without kept states, the field functions report which option is missing.
     if not result.is_modal and count < 2 and (count or not len(result)):
-        msg = f"animation: found a result of {count} row{'s' * (count != 1)}, wanted at least two rows"
+        msg = f"animation: found a result of {count} row{'s' * (count != 1)}, expected at least two rows"
         raise ValueError(msg)
 
 
 def require_int(name: str, value: object, least: int) -> None:
     """Raise an error if a value is not an integer or is too small."""
     if isinstance(value, bool) or not isinstance(value, int | np.integer) or value < least:
-        msg = f"{name}: found {value!r}, wanted an integer >= {least}"
+        msg = f"{name}: found {value!r}, expected an integer >= {least}"
         raise ValueError(msg)
 
 

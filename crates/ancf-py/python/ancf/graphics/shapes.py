@@ -78,9 +78,9 @@ class ShapePlots(ResultData):
 
         """
         lines = Lines(self, parts)
-        wanted = frame_numbers(self, frame, time)
-        positions = [lines.positions(row, scale) for row in wanted]
-        points = [lines.points(row, own) for row, own in zip(wanted, positions, strict=True)]
+        shown = frame_numbers(self, frame, time)
+        positions = [lines.positions(row, scale) for row in shown]
+        points = [lines.points(row, own) for row, own in zip(shown, positions, strict=True)]
         extent = np.concatenate([*points, lines.reference] if reference else points)
         view = View.of(plane, extent, ax)
         found = _quantity(self, lines, color, parts)
@@ -89,26 +89,26 @@ class ShapePlots(ResultData):
             ax = view.axes(ax, self.field_units.get("position"))
             if reference:
                 draw_reference(ax, view, lines, lines.reference)
-            opacities = np.linspace(0.25, 1, len(wanted) + 1)[1:].tolist()
-            for row, own, opacity in zip(wanted, positions, opacities, strict=True):
+            opacities = np.linspace(0.25, 1, len(shown) + 1)[1:].tolist()
+            for row, own, opacity in zip(shown, positions, opacities, strict=True):
                 look = {"alpha": opacity} | line
                 draw_arms(ax, view, lines, row, own, look)
                 if found is None:
                     draw_lines(ax, view, lines, own, body_colours(lines, color), look)
                     continue
-                limits = found.limits(found.values[wanted])
+                limits = found.limits(found.values[shown])
                 factor, label = found.scaled(limits)
                 colours = (found.colour_map, (factor * limits[0], factor * limits[1]))
                 bands = draw_values(ax, view, lines, own, factor * found.values[row], colours, look)
             if joints:
-                draw_joints(ax, view, lines, self.model.get("joints", []), wanted[-1], scale)
+                draw_joints(ax, view, lines, self.model.get("joints", []), shown[-1], scale)
             view.fit(ax, extent)
             if found is not None:
                 pad = 0.1 if view.spatial else 0.03
                 ax.figure.colorbar(bands, ax=ax, label=label, shrink=0.8, pad=pad)
             elif color is None:
                 draw_legend(ax, lines, beside=is_own_figure)
-            labels = dict.fromkeys(frame_label(self, row) for row in (wanted[0], wanted[-1]))
+            labels = dict.fromkeys(frame_label(self, row) for row in (shown[0], shown[-1]))
             ax.set_title(" ... ".join(labels))
         return ax
 
@@ -145,20 +145,20 @@ class ShapePlots(ResultData):
             msg = f"a result of {self.kind} has no shapes"
             raise AttributeError(msg)
         require_int("count", count, 1)
-        wanted = (list(range(len(lines.path))) if rigid else elastic_modes(self))[:count]
-        positions = [lines.positions(row, scale) for row in wanted]
+        shown = (list(range(len(lines.path))) if rigid else elastic_modes(self))[:count]
+        positions = [lines.positions(row, scale) for row in shown]
         straight = View.along(lines.path[0], positions[0] - lines.path[0]) if plane is None else None
         extent = np.stack([*positions, lines.path[0]])
         view = straight or View.of(plane, extent)
-        columns = min(3, len(wanted))
-        rows = -(-len(wanted) // columns)
+        columns = min(3, len(shown))
+        rows = -(-len(shown) // columns)
         projection = {"projection": "3d"} if view.spatial else {}
         with style():
             size = (3.1 * columns, 2.9 * rows)
             _, axes = plt.subplots(rows, columns, figsize=size, squeeze=False, subplot_kw=projection)
-            for ax in axes.flat[len(wanted) :]:
+            for ax in axes.flat[len(shown) :]:
                 ax.remove()
-            for ax, row, own in zip(axes.flat, wanted, positions, strict=False):
+            for ax, row, own in zip(axes.flat, shown, positions, strict=False):
                 path = lines.path[row]
                 chosen = view if straight is None else View.along(path, own - path) or view
                 draw_reference(ax, chosen, lines, path)
@@ -166,7 +166,7 @@ class ShapePlots(ResultData):
                 chosen.fit(ax, extent, zoom=1.15)
                 ax.set_title(frame_label(self, row))
                 chosen.remove_labels(ax)
-        return axes.ravel()[: len(wanted)]
+        return axes.ravel()[: len(shown)]
 
 
 def _quantity(result: ResultData, lines: Lines, color: str | None, parts: int) -> Quantity | None:
@@ -176,6 +176,6 @@ def _quantity(result: ResultData, lines: Lines, color: str | None, parts: int) -
     if color is None or is_color_like(color):
         return None
     if not len(lines.segments):
-        msg = f"color: found {color!r}, wanted a colour, since there is no beam or cable"
+        msg = f"color: found {color!r}, expected a colour, since there is no beam or cable"
         raise ValueError(msg)
     return quantity(result, color, parts)

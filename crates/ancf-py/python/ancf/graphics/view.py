@@ -44,7 +44,7 @@ class View:
         if plane == "3d":
             return cls(np.eye(3), "xyz")
         if len(plane) != 2 or not set(plane) < set(AXES) or plane[0] == plane[1]:
-            msg = f"plane: found {plane!r}, wanted two of the letters x, y, z, such as 'xz', or '3d'"
+            msg = f"plane: found {plane!r}, expected two of the letters x, y, z, such as 'xz', or '3d'"
             raise ValueError(msg)
         return cls(np.eye(3)[[AXES[letter] for letter in plane]], plane)
 

@@ -128,7 +128,7 @@ class Record(Columns):
         self, name: str, parts: int, frames: list[int] | None, offset: tuple[float, float] | None
     ) -> Array:
         if offset is not None and name not in TENSORS:
-            msg = f"offset: found {offset!r} of the field {name!r}, wanted that of 'strain' or 'stress'"
+            msg = f"offset: found {offset!r} of the field {name!r}, expected that of 'strain' or 'stress'"
             raise ValueError(msg)
         if name in STATION_FIELDS:
             return self.states.field(name, parts, frames, offset)

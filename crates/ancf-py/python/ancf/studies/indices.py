@@ -92,8 +92,8 @@ def check(
     wrong_seed = integer_fault("seed", seed, 0, sampling.MAX_SEED)
     faults += [] if wrong_seed is None else [wrong_seed]
     if 2 * len(with_text_keys(parameters)) > _ancf.MAX_SOBOL_DIMENSION:
-        wanted = f"at most {_ancf.MAX_SOBOL_DIMENSION // 2} in a Sobol sequence"
-        faults.append(fault("parameters", f"{len(parameters)} distributions", wanted))
+        expected = f"at most {_ancf.MAX_SOBOL_DIMENSION // 2} in a Sobol sequence"
+        faults.append(fault("parameters", f"{len(parameters)} distributions", expected))
     faults += [
         fault(name, shown(settings[name]), "nothing, since the Sobol sequence determines the cases")
         for name in ("combine", "sampling")
@@ -119,7 +119,7 @@ def indices(study: Study, dimension: int, samples: int) -> pd.DataFrame:
     for name in study.objectives:
         numberless = int((~np.isfinite(study.table[name])).sum())
         if numberless:
-            msg = f"objectives.{name}: found no number in {numberless} of {len(study)} cases, wanted one in each"
+            msg = f"objectives.{name}: found no number in {numberless} of {len(study)} cases, expected one in each"
             raise ValueError(msg)
     shape = (len(study.objectives), dimension + 2, samples)
     numbers = study.table[study.objectives].to_numpy(dtype=float).T.reshape(shape)

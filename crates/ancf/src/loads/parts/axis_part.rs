@@ -49,9 +49,9 @@ impl AxisPart<'_> {
         let mut findings = Vec::new();
         let [from, to] = [self.from, self.to].map(|at| body.arc_length(at));
         let beyond = |s: f64| s > length * (1.0 + ON_AXIS);
-        let wanted = format!("at most {}, the length of {}", number(length), quoted(body.name()));
+        let expected = format!("at most {}, the length of {}", number(length), quoted(body.name()));
         for (key, s) in [("from", from), ("to", to)].into_iter().filter(|(_, s)| beyond(*s)) {
-            let error = finding(format!("{path}.{key}"), number(s), wanted.clone());
+            let error = finding(format!("{path}.{key}"), number(s), expected.clone());
             findings.push(error.rests_on(rests_on(&["body"])));
         }
         if !beyond(from) && !beyond(to) && to - from <= length * ON_AXIS {

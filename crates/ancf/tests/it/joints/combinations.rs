@@ -93,7 +93,7 @@ fn coupling_of_too_many_joints_is_rejected() {
     let part = "{ joint = \"h1\", factor = 1 }";
     let many = format!("{{ name = \"train\", joints = [{}] }}", [part; 64].join(", "));
     let errors = Model::parse(&gears(["", ""], &many)).unwrap_err().to_string();
-    assert!(errors.contains("couplings[0].joints: found 64 joints, wanted at most 63"), "{errors}");
+    assert!(errors.contains("couplings[0].joints: found 64 joints, expected at most 63"), "{errors}");
 }
 
 /// A drive that stops suddenly removes the kinetic energy of the body.

@@ -276,7 +276,7 @@ fn missing_functions_are_rejected() {
     let mut model =
         Model::parse(include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/models/good/external.toml")))
             .unwrap();
-    let expected = "wanted a function that the program supplies under this name";
+    let expected = "expected a function that the program supplies under this name";
     let all = [
         format!("loads[0].time.name: found the external function \"gust\", {expected}"),
         format!("joints[0].drive.time.name: found the external function \"motor\", {expected}"),
@@ -316,9 +316,9 @@ fn supplied_functions_are_checked() {
     model.supply("winch", constant(0.3));
     model.supply("gust", constant(f64::NAN));
     let expected = [
-        "loads[0].time.name: found a function that is NaN at t = 0, wanted one that is a number",
-        "joints[0].drive.time: found angle 0.1 at t = 0, wanted a motion that starts from the undeformed state, at 0",
-        "joints[1].time: found a change of 0.03 at t = 0, wanted a motion that starts from the undeformed state, at 0",
+        "loads[0].time.name: found a function that is NaN at t = 0, expected one that is a number",
+        "joints[0].drive.time: found angle 0.1 at t = 0, expected a motion that starts from the undeformed state, at 0",
+        "joints[1].time: found a change of 0.03 at t = 0, expected a motion that starts from the undeformed state, at 0",
     ];
     assert_eq!(texts(&model.check().unwrap_err()), expected);
 }

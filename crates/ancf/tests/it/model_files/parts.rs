@@ -25,23 +25,23 @@ fn all_errors_of_a_part_are_reported() {
     assert_eq!(
         errors_of("Body", "kind = 'mass'\nname = ''\ncentre = [0, 0]\nmass = -1"),
         [
-            "centre: found unknown key `centre`, wanted `center`, `kind`, `mass`, `motion`, `name` or `surface` (did you mean \
+            "centre: found unknown key `centre`, expected `center`, `kind`, `mass`, `motion`, `name` or `surface` (did you mean \
              `center`?)",
-            "centre: found an array of 2, wanted an array of 3 numbers",
-            "mass: found -1, wanted a number > 0",
-            "name: found \"\", wanted a text that is not empty",
+            "centre: found an array of 2, expected an array of 3 numbers",
+            "mass: found -1, expected a number > 0",
+            "name: found \"\", expected a text that is not empty",
         ]
     );
     assert_eq!(
         errors_of("Section", "kind = 'circel'\ndiameter = 1"),
         [
-            "kind: found \"circel\", wanted \"circle\", \"tube\", \"rectangle\", \"ellipse\" or \"general\" (did you \
+            "kind: found \"circel\", expected \"circle\", \"tube\", \"rectangle\", \"ellipse\" or \"general\" (did you \
           mean \"circle\"?)"
         ]
     );
     assert_eq!(
         errors_of("Probe", "name = 'tip'"),
-        ["on: found no key `on`, wanted a table with `body` and `at` (Place on the axis)"]
+        ["on: found no key `on`, expected a table with `body` and `at` (Place on the axis)"]
     );
 }
 

@@ -201,47 +201,47 @@ fn paths_without_target_are_rejected() {
     for (path, message) in [
         (
             "bodies.rood.elements",
-            "bodies.rood: found no `rood`, wanted `rod`, `block` or `guy wire` (did you mean `rod`?)",
+            "bodies.rood: found no `rood`, expected `rod`, `block` or `guy wire` (did you mean `rod`?)",
         ),
         (
             "bodies.rod.material.youngs",
-            "bodies.rod.material.youngs: found unknown key `youngs`, wanted `damping`, `density`, `law`, `poisson` or `young` \
+            "bodies.rod.material.youngs: found unknown key `youngs`, expected `damping`, `density`, `law`, `poisson` or `young` \
              (did you mean `young`?)",
         ),
         (
             "materials.stel.young",
-            "materials.stel: found no `stel`, wanted `rubber` or `steel` (did you mean `steel`?)",
+            "materials.stel: found no `stel`, expected `rubber` or `steel` (did you mean `steel`?)",
         ),
         (
             "element",
-            "element: found unknown key `element`, wanted a key of the model or of a body (did you mean `elements`?)",
+            "element: found unknown key `element`, expected a key of the model or of a body (did you mean `elements`?)",
         ),
-        ("up[1]", "up[1]: found no `up` before it, wanted a value for `up` as a whole"),
-        ("bodies[3].mass", "bodies[3]: found index `[3]`, wanted an index from `[0]` to `[2]`"),
-        ("gravity[3]", "gravity[3]: found index `[3]`, wanted an index from `[0]` to `[2]`"),
-        ("loads[1]", "loads[1]: found index `[1]`, wanted the only item, `[0]`"),
+        ("up[1]", "up[1]: found no `up` before it, expected a value for `up` as a whole"),
+        ("bodies[3].mass", "bodies[3]: found index `[3]`, expected an index from `[0]` to `[2]`"),
+        ("gravity[3]", "gravity[3]: found index `[3]`, expected an index from `[0]` to `[2]`"),
+        ("loads[1]", "loads[1]: found index `[1]`, expected the only item, `[0]`"),
         (
             "probes.tip.offset[0]",
-            "probes.tip: found no `tip`, wanted a path without a name, since there are no items",
+            "probes.tip: found no `tip`, expected a path without a name, since there are no items",
         ),
         (
             "loads.wind.force",
-            "loads.wind: found `wind` after an array of 1, wanted an index from 0 in brackets, such as `loads[0]`",
+            "loads.wind: found `wind` after an array of 1, expected an index from 0 in brackets, such as `loads[0]`",
         ),
         (
             "gravity.y",
-            "gravity.y: found `y` after an array of 3, wanted an index from 0 in brackets, such as `gravity[0]`",
+            "gravity.y: found `y` after an array of 3, expected an index from 0 in brackets, such as `gravity[0]`",
         ),
-        ("analysis[0]", "analysis[0]: found index `[0]` of a table, wanted a key"),
+        ("analysis[0]", "analysis[0]: found index `[0]` of a table, expected a key"),
         (
             "analysis.step.size",
-            "analysis.step.size: found 0.001 before it, wanted a path that ends with `analysis.step`",
+            "analysis.step.size: found 0.001 before it, expected a path that ends with `analysis.step`",
         ),
         (
             "bodies.rod.name.x",
-            "bodies.rod.name.x: found the text \"rod\" before it, wanted a path that ends with `bodies.rod.name`",
+            "bodies.rod.name.x: found the text \"rod\" before it, expected a path that ends with `bodies.rod.name`",
         ),
-        ("bodies.block.elements", "bodies.block.elements: found unknown key `elements`, wanted `center`,"),
+        ("bodies.block.elements", "bodies.block.elements: found unknown key `elements`, expected `center`,"),
     ] {
         let error = rejection(path);
         assert!(error.starts_with(message), "{path}: {error}");
@@ -256,7 +256,7 @@ fn bare_keys_without_suitable_body_are_rejected() {
     let error = substitute(&mut data, "mass", 1.into()).unwrap_err();
     assert_eq!(
         error.to_string(),
-        "mass: found no body that can have `mass`, wanted a key of the model or of a body"
+        "mass: found no body that can have `mass`, expected a key of the model or of a body"
     );
 }
 
@@ -276,7 +276,10 @@ fn malformed_paths_are_rejected() {
         ("gravity[1]x", "`x` after a bracket or quotes"),
     ] {
         let error = rejection(path);
-        assert!(error.contains(&format!("found {found}, wanted keys separated by dots")), "{path}: {error}");
+        assert!(
+            error.contains(&format!("found {found}, expected keys separated by dots")),
+            "{path}: {error}"
+        );
     }
 }
 

@@ -160,7 +160,7 @@ class Scenes(ResultData):
 
         """
         if not 0 < seconds < np.inf:
-            msg = f"seconds: found {seconds}, wanted a number > 0"
+            msg = f"seconds: found {seconds}, expected a number > 0"
             raise ValueError(msg)
         if movie is not None:
             require_frames(self)
@@ -249,7 +249,7 @@ class Stage:
         kind = Path(path).suffix.lower()
         needed = {".gif": ["imageio"], ".mp4": ["imageio", "imageio_ffmpeg"]}
         if kind not in needed:
-            msg = f"movie: found {str(path)!r}, wanted a name that ends in .gif or .mp4"
+            msg = f"movie: found {str(path)!r}, expected a name that ends in .gif or .mp4"
             raise ValueError(msg)
         missing = [name.replace("_", "-") for name in needed[kind] if find_spec(name) is None]
         if missing:
@@ -317,7 +317,7 @@ class Stage:
     def _set_camera(self, view: str | None, moving: bool) -> None:
         """Set direction and distance of the camera so that all points are visible beside the colour bar."""
         if view not in {None, "iso", "xy", "xz", "yz"}:
-            msg = f"view: found {view!r}, wanted 'xy', 'xz', 'yz' or 'iso'"
+            msg = f"view: found {view!r}, expected 'xy', 'xz', 'yz' or 'iso'"
             raise ValueError(msg)
         lines = self.scene.lines
         flat = View.of(None, lines.path if moving else lines.positions(self.row))

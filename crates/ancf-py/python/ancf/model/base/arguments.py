@@ -77,7 +77,7 @@ class Arguments:
             known = {key: value for key, value in kwargs.items() if key in self._known}
             example = self._example(positional, surplus, known)
             found = f"positional argument{'s' * (len(surplus) > 1)} {values}"
-            return [f"{who}: found the {found}, wanted keywords, such as {example}"]
+            return [f"{who}: found the {found}, expected keywords, such as {example}"]
         lines = [self._unknown(who, name, value, meant[name]) for name, value in unknown.items()]
         if missing:
             lines.append(f"{who}: missing argument{'s' * (len(missing) > 1)} {listed(missing)}")

@@ -178,13 +178,13 @@ def typed(hint: Any, data: Any) -> Any:
 def misplaced(hint: Any, value: Any, path: str) -> str | None:
     """Describe the parts of other classes than a type hint allows, and values instead of parts."""
     arms = _arms(hint)
-    wanted = _parts(arms)
+    expected = _parts(arms)
     if isinstance(value, Part):
         return _misplaced_part(arms, value, path)
-    if wanted and isinstance(value, str | int | float) and not _accepts(arms, value):
+    if expected and isinstance(value, str | int | float) and not _accepts(arms, value):
         words = [repr(word) for arm in arms for word in _words(arm)]
-        near = [f'Place("{value}", "end")'] if _is_place(wanted) and isinstance(value, str) else []
-        return f"{path}: found {value!r}, wanted {alternatives([*words, *_classes(wanted)])}{meant(near)}"
+        near = [f'Place("{value}", "end")'] if _is_place(expected) and isinstance(value, str) else []
+        return f"{path}: found {value!r}, expected {alternatives([*words, *_classes(expected)])}{meant(near)}"
     lines: list[str | None] = []
     for arm in arms:
         # The engine checks numbers.
@@ -203,17 +203,17 @@ def misplaced(hint: Any, value: Any, path: str) -> str | None:
 
 def _misplaced_part(arms: tuple[Any, ...], value: Part, path: str) -> str | None:
     """Describe a part of another class than the alternatives of a type hint."""
-    wanted = _parts(arms)
-    found = f"{path}: found {with_article(type(value))}, wanted"
-    if not wanted:
+    expected = _parts(arms)
+    found = f"{path}: found {with_article(type(value))}, expected"
+    if not expected:
         is_list = any(
             typing.get_origin(arm) is Sequence and _parts(_arms(typing.get_args(arm)[0])) for arm in arms
         )
         return f"{found} a list of parts{meant([f'{path}=[...]'])}" if is_list else None
-    if isinstance(value, wanted):
+    if isinstance(value, expected):
         return None
-    near = _places_on(value) if _is_place(wanted) else []
-    return f"{found} {alternatives(_classes(wanted))}{meant(near)}"
+    near = _places_on(value) if _is_place(expected) else []
+    return f"{found} {alternatives(_classes(expected))}{meant(near)}"
 
 
 def _is_place(parts: Sequence[type[Part]]) -> bool:

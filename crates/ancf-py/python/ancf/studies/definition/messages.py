@@ -15,10 +15,10 @@ MAX_SHOWN = 40
 """Maximum length of a value in a message."""
 
 
-def fault(path: str, found: str, wanted: str, hint: str | None = None) -> Fault:
+def fault(path: str, found: str, expected: str, hint: str | None = None) -> Fault:
     """Create an error of a study."""
-    text = f"{path}: found {found}, wanted {wanted}" + (f" ({hint})" if hint else "")
-    return Fault(path, found, wanted, hint, None, text)
+    text = f"{path}: found {found}, expected {expected}" + (f" ({hint})" if hint else "")
+    return Fault(path, found, expected, hint, None, text)
 
 
 def choice_fault(name: str, word: object, words: Iterable[str]) -> Fault | None:

@@ -89,10 +89,12 @@ class ObjectiveError(RuntimeError):
 class NumberError(ValueError):
     """Return value of a function that is not a number."""
 
-    def __init__(self, found: object, wanted: str) -> None:
+    def __init__(self, found: object, expected: str) -> None:
         """Describe the return value."""
         text = repr(found)
-        super().__init__(f"found {text if len(text) <= 40 else f'a {type(found).__name__}'}, wanted {wanted}")
+        super().__init__(
+            f"found {text if len(text) <= 40 else f'a {type(found).__name__}'}, expected {expected}"
+        )
 
 
 def measured(
@@ -128,12 +130,12 @@ def numbers(name: str, reading: Any, result: Result, *, several: bool) -> dict[s
     return {key: number(value, f"a number as {key!r}") for key, value in answer.items()}
 
 
-def number(value: Any, wanted: str) -> float:
+def number(value: Any, expected: str) -> float:
     """Convert the return value of a function to a number."""
     try:
         return float(value)
     except (TypeError, ValueError) as error:
-        raise NumberError(value, wanted) from error
+        raise NumberError(value, expected) from error
 
 
 def missing_row(reading: Any, result: Result) -> str:

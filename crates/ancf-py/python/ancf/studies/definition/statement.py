@@ -62,8 +62,8 @@ class Statement:
             raise ModelError(self.faults)
         return Design.of(self.lists, drawn, self.combine)
 
-    def _fault(self, path: str, found: str, wanted: str, hint: str | None = None) -> None:
-        self.faults.append(fault(path, found, wanted, hint))
+    def _fault(self, path: str, found: str, expected: str, hint: str | None = None) -> None:
+        self.faults.append(fault(path, found, expected, hint))
 
     def _settings(self) -> None:
         """Check the settings of the samples."""
@@ -80,8 +80,8 @@ class Statement:
             self.distributions[path] = values
             return
         if not isinstance(values, Iterable) or isinstance(values, str | Mapping):
-            wanted = "a list of values, or a distribution such as scipy.stats.norm(mean, deviation)"
-            self._fault(parameter_path(path), shown(values), wanted)
+            expected = "a list of values, or a distribution such as scipy.stats.norm(mean, deviation)"
+            self._fault(parameter_path(path), shown(values), expected)
             return
         given = [plain_value(value, Tables()) for value in values]
         if given:
@@ -98,11 +98,11 @@ class Statement:
                 return
         if self.distributions and self.samples is None:
             first = next(iter(self.distributions))
-            wanted = "the number of samples, such as `samples=100`"
-            self._fault(parameter_path(first), "a distribution without `samples`", wanted)
+            expected = "the number of samples, such as `samples=100`"
+            self._fault(parameter_path(first), "a distribution without `samples`", expected)
         if self.sampling == "sobol" and len(self.distributions) > _ancf.MAX_SOBOL_DIMENSION:
-            wanted = f"at most {_ancf.MAX_SOBOL_DIMENSION} in a Sobol sequence"
-            self._fault("parameters", f"{len(self.distributions)} distributions", wanted)
+            expected = f"at most {_ancf.MAX_SOBOL_DIMENSION} in a Sobol sequence"
+            self._fault("parameters", f"{len(self.distributions)} distributions", expected)
         if self._cases() > _ancf.MAX_CASES:
             self._fault("parameters", "too many combinations", "at most 10 000 000 cases")
 
@@ -160,10 +160,10 @@ class Statement:
             if callable(reading):
                 continue
             if not is_reading(reading):
-                wanted = (
+                expected = (
                     'a function of the result, or a column and what is taken of it, such as ("tip.y", "mean")'
                 )
-                self._fault(path, shown(reading), wanted)
+                self._fault(path, shown(reading), expected)
                 continue
             column, take = pair(reading)
             if isinstance(take, str) and take not in TAKES:

@@ -64,10 +64,10 @@ class Results:
         """Reuse rows of earlier runs by key, with `retry` only those of finished cases."""
         earlier = {} if self.folder is None else rows_in(self.folder)
         done = {"finished"} if retry else {"finished", "failed", "invalid"}
-        wanted = {key: row for key, row in earlier.items() if row.outcome in done}
-        if wanted:
+        expected = {key: row for key, row in earlier.items() if row.outcome in done}
+        if expected:
             keys = {case: self.key(case) for case in range(self.design.cases)}
-            self.rows = {case: wanted[key] for case, key in keys.items() if key in wanted}
+            self.rows = {case: expected[key] for case, key in keys.items() if key in expected}
 
     @property
     def missing(self) -> list[int]:

@@ -14,7 +14,14 @@ import pytest
 ROOT = Path(__file__).parents[3]
 STYLE = ROOT / "docs" / "style.md"
 
-CHECKED = ["*.md", ".github/**/*.md", ".github/**/*.yml", "docs/**/*.md", "docs/**/*.ipynb", "models/**/*.toml"]
+CHECKED = [
+    "*.md",
+    ".github/**/*.md",
+    ".github/**/*.yml",
+    "docs/**/*.md",
+    "docs/**/*.ipynb",
+    "models/**/*.toml",
+]
 """Files that are checked."""
 
 Line = tuple[int, str]
@@ -35,7 +42,9 @@ def rejected() -> dict[str, str]:
 def hits(lines: Iterator[Line]) -> list[str]:
     """Rejected words in lines of text, with line numbers and replacements. Phrases may cross line ends."""
     words = rejected()
-    pattern = re.compile(rf"(?<![\w-])(?:{'|'.join(map(re.escape, words))})(?![\w-])".replace(r"\ ", r"\s+"), re.I)
+    pattern = re.compile(
+        rf"(?<![\w-])(?:{'|'.join(map(re.escape, words))})(?![\w-])".replace(r"\ ", r"\s+"), re.I
+    )
     numbers, text = [], ""
     for number, line in lines:
         numbers += [number] * (len(line) + 1)
@@ -116,4 +125,7 @@ def test_rejected_words_are_found() -> None:
     text = "The program keeps the\nbooks.\n\n```sh\nkeeps the books\n```\nIt says `says`."
     assert [hit.split(",")[0] for hit in hits(prose(text))] == ["1: 'keeps the books'", "7: 'says'"]
     code = '//! The film of a run.\nlet films = "no films";\nlet film = 1;'
-    assert [hit.split(",")[0] for hit in hits(strings_and_comments(code, "//"))] == ["1: 'film'", "2: 'films'"]
+    assert [hit.split(",")[0] for hit in hits(strings_and_comments(code, "//"))] == [
+        "1: 'film'",
+        "2: 'films'",
+    ]

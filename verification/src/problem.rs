@@ -99,7 +99,7 @@ pub struct Comparison {
 }
 
 impl Comparison {
-    /// Returns |ours − reference| / scale.
+    /// Returns |computed − reference| / scale.
     pub fn error(&self) -> f64 {
         (self.ours - self.reference).abs() / self.scale
     }

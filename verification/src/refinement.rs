@@ -187,7 +187,7 @@ impl<'a> Refinement<'a> {
             let points = finest.points(columns[0], columns[1])?;
             let every = points.len().div_ceil(MARKERS).max(1);
             let reference = points.iter().step_by(every).map(|&[x, _]| [x, law(x)]).collect();
-            let curves = vec![PlotCurve::line("ours", points), PlotCurve::points("reference", reference)];
+            let curves = vec![PlotCurve::line("ancf", points), PlotCurve::points("reference", reference)];
             findings.plot(Plot::new(quantity.what, *columns, curves));
         }
         if solved.len() > 1 {
@@ -201,7 +201,7 @@ impl<'a> Refinement<'a> {
                 all.map(|(k, comparison)| [(k + 1) as f64, value(comparison)]).collect()
             };
             let curves = vec![
-                PlotCurve::line("ours", number(|comparison| comparison.ours / comparison.scale)),
+                PlotCurve::line("ancf", number(|comparison| comparison.ours / comparison.scale)),
                 PlotCurve::points("reference", number(|comparison| comparison.reference / comparison.scale)),
             ];
             let axes = ["number of the quantity", "value relative to its scale"];

@@ -13,7 +13,7 @@ pub struct Known {
     pub is_cause: fn(&Model, &Finding) -> bool,
 }
 
-/// Known defects. An entry without findings in the test is an error: remove it when the defect is mended.
+/// Known defects. An entry without findings in the test is an error: remove it when the defect is corrected.
 pub const KNOWN: &[Known] = &[];
 
 /// Known defect of a finding.

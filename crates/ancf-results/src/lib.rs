@@ -1,4 +1,4 @@
-//! Folder of a run: written during the run, readable during the run, afterwards and after a crash.
+//! Results folder: written during the run, readable during the run, afterwards and after a crash.
 //!
 //! | file | content |
 //! |---|---|

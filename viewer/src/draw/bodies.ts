@@ -17,7 +17,7 @@ export interface Ground {
   fading: number;
 }
 
-/** Shadows cover each pixel once, whatever the number of bodies above it. */
+/** Shadows cover each pixel once, for any number of bodies above it. */
 export const SHADOW: THREE.MaterialParameters = {
   transparent: true,
   premultipliedAlpha: true,

@@ -21,7 +21,7 @@ export interface ColourScale {
   unit: DisplayUnit;
 }
 
-/** Relative size of a value that does not count for the sign of a field. */
+/** Relative size of a value that has no effect on the sign of a field. */
 const SIGN_NOISE = 1e-6;
 
 /** Range of a field of a live run, which includes that of earlier data; else that of its values. */

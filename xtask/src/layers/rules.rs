@@ -140,7 +140,7 @@ fn cycle(files: &[SourceFile], imports: &[Import], component: &[FileId]) -> Stri
     let is_inside = |file: FileId| component.binary_search(&file).is_ok();
     let inside = imports.iter().filter(|import| is_inside(import.from) && is_inside(import.to));
     let mut text = format!(
-        "{}: cycle of {} files; move the names that tie them into a file of their own:",
+        "{}: cycle of {} files; move the names that connect them into a file of their own:",
         files[component[0]].path,
         component.len()
     );

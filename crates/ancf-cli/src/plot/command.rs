@@ -22,7 +22,7 @@ use crate::terminal::{
 /// Arguments of `ancf plot`.
 #[derive(Debug, Args)]
 pub struct PlotArguments {
-    /// Folder of a run, which may still be running, or of a study.
+    /// Results folder, also during the run, or folder of a study.
     #[arg(value_name = "DIR")]
     folder: PathBuf,
     /// Names of columns, probes or joints (`tip` for tip.x, tip.y and tip.z), or patterns (`*.y`); without names, all columns are listed.

@@ -16,7 +16,7 @@ use crate::terminal::{Ended, print, print_status, reject};
 /// Arguments of `ancf paraview`.
 #[derive(Debug, Args)]
 pub struct ParaviewArguments {
-    /// Folder of a run, which may still be running.
+    /// Results folder, also during the run.
     folder: PathBuf,
     /// Folder for the files; paraview in the folder of the run by default.
     #[arg(short, long, value_name = "DIR")]

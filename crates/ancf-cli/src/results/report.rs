@@ -17,7 +17,7 @@ use crate::terminal::{Ended, print};
 /// Arguments of `ancf report`.
 #[derive(Debug, Args)]
 pub struct ReportArguments {
-    /// Folder of a run or of a study.
+    /// Results folder, or folder of a study.
     folder: PathBuf,
     /// HTML file; report.html in the folder by default.
     #[arg(short, long, value_name = "FILE")]
@@ -48,7 +48,7 @@ impl ReportArguments {
     }
 }
 
-/// Name of the report in the folder of a run.
+/// Name of the report in a results folder.
 pub const REPORT: &str = "report.html";
 
 /// Page of a study.

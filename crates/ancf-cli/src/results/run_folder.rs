@@ -1,4 +1,4 @@
-//! Folder of a run.
+//! Results folder.
 
 use std::borrow::Cow;
 use std::path::Path;
@@ -10,7 +10,7 @@ use anyhow::Result;
 
 use crate::terminal::{Ended, print_status, refuse, reject};
 
-/// Opens the folder of a run and verifies its files. Reports a folder without a run.
+/// Opens a results folder and verifies its files. Reports a folder without a run.
 ///
 /// # Errors
 /// If a file cannot be read or is damaged.

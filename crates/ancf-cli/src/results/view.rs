@@ -21,7 +21,7 @@ use crate::terminal::{Ended, check_output, interrupt, print, print_status};
 /// Arguments of `ancf view`.
 #[derive(Debug, Args)]
 pub struct ViewArguments {
-    /// Folder of a run or a study, which may still be running.
+    /// Results folder, also during the run, or folder of a study.
     folder: PathBuf,
     /// Port of this machine; a free port by default.
     #[arg(long, default_value_t = 0)]

@@ -15,7 +15,7 @@ use crate::terminal::{Ended, interrupt, print_json, print_status, reject};
 /// Arguments of `ancf resume`.
 #[derive(Debug, Args)]
 pub struct ResumeArguments {
-    /// Folder of a run that was stopped, failed or killed.
+    /// Results folder of the run that was stopped, failed or killed.
     folder: PathBuf,
     /// Interval of checkpoints: a number of steps (1000) or a time (30s, 10min).
     #[arg(long, value_name = "EVERY", default_value = "5min", value_parser = checkpoint_interval)]

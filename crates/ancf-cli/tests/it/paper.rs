@@ -99,7 +99,7 @@ fn tables_are_written() {
         let rows: Vec<_> = reader.records().map(Result::unwrap).collect();
         assert!(rows.len() > 1 && rows.iter().all(|row| row.len() == width), "{name}");
     }
-    assert!(read("table5.csv").starts_with("n,DIM: ours (mm),DIM: paper (mm),"));
+    assert!(read("table5.csv").starts_with("n,DIM: ancf (mm),DIM: paper (mm),"));
     assert_eq!(fs::read_dir(&*REPORT).unwrap().filter(|file| hidden(file.as_ref().unwrap())).count(), 0);
 }
 

@@ -86,7 +86,7 @@ pub fn compare(
             Comparison::Explained(Cause::Steps)
         };
     }
-    // The program itself says so.
+    // The program itself reports it.
     let is_warned_of =
         |part: &str| [&case.base, twin].iter().any(|run| run.warnings.iter().any(|text| text.contains(part)));
     let dimension = case.base.column(&finding.quantity).and_then(|column| column.dimension);

@@ -16,7 +16,7 @@ pub(crate) const CRUSHED: f64 = 0.01;
 /// Two-node, 12-coordinate, gradient-deficient ANCF cable element, straight and stress-free in its reference
 /// configuration.
 ///
-/// The cable stretches and bends, without shear or torsion. Coordinates are the vectors (r, ℓ r_x) of both nodes minus
+/// The cable has axial and bending deformation, without shear or torsion. Coordinates are the vectors (r, ℓ r_x) of both nodes minus
 /// their reference values. The strain energy is
 ///
 /// U = ½∫(EA ε² + EI K²) dx,  ε = |r′| − 1,  K = |r′ × r″|/|r′|²

@@ -25,7 +25,7 @@ impl Function {
     /// Returns a variation that steps of a fixed size do not resolve, if there is one: a pulse within a step, or a
     /// vibration with less than about four steps per period.
     ///
-    /// Its deviation is that beyond the values at both ends of a step, so a single jump does not count. Groups of steps are
+    /// Its deviation is that beyond the values at both ends of a step, so a single jump has no effect. Groups of steps are
     /// enclosed by interval arithmetic, so no pulse is missed. User-defined functions are not examined.
     pub fn unresolved_variation(&self, duration: f64, step: f64) -> Option<Variation> {
         if !self.may_vary_unseen() || matches!(self, Self::External { .. }) {

@@ -18,7 +18,7 @@ pub fn all(runs: &PaperRuns, results: &PaperResults) -> Vec<PaperFigure> {
 }
 
 fn figure3(table: &FormValues) -> PaperFigure {
-    let ours = analysis_times("ours: time (s)", &table.n, &table.dim, &table.nondim);
+    let ours = analysis_times("ancf: time (s)", &table.n, &table.dim, &table.nondim);
     let printed = |column: &Option<Vec<f64>>| column.clone().unwrap_or_default();
     let (paper_dim, paper_nondim) = (printed(&table.paper_dim), printed(&table.paper_nondim));
     let paper = analysis_times("paper: time (s)", &table.n, &paper_dim, &paper_nondim);

@@ -38,15 +38,15 @@ pub(super) fn section(context: &PageContext<'_>) -> Markup {
 fn speed(context: &PageContext<'_>) -> Markup {
     let times = &context.results.table4;
     let last = |column: &[f64]| column.last().copied().unwrap_or(f64::NAN);
-    let (ours, paper) = (last(&times.dim), last(times.paper_dim.as_deref().unwrap_or_default()));
+    let (own, paper) = (last(&times.dim), last(times.paper_dim.as_deref().unwrap_or_default()));
     let gain = context.largest(PaperCase::Cantilever);
     html! {
         p { "Times depend on machine and language. The paper's " (fixed(paper, 2)) " s at 20 elements \
-            were taken by " (published::MACHINE) "; ours take " (significant(ours, 2)) " s in a \
-            compiled program on " (context.results.machine.processor) ", " (significant(paper / ours, 2))
+            were taken by " (published::MACHINE) "; those of this program take " (significant(own, 2)) " s in a \
+            compiled program on " (context.results.machine.processor) ", " (significant(paper / own, 2))
             " times less. This is not a property of the formulation. The ratio of the two forms can be compared: it \
              crosses 1 near ten elements, where " (unit("T")) " = 1 s, and at \
-            twenty the paper has " (fixed(published::printed_gain(), 2)) ", we " (fixed(gain.total, 2)) "." }
+            twenty the paper has " (fixed(published::printed_gain(), 2)) ", this program " (fixed(gain.total, 2)) "." }
     }
 }
 

@@ -45,7 +45,7 @@ fn fourfold(context: &PageContext<'_>) -> Markup {
     let gain = context.largest(PaperCase::Spherical);
     let found = gain.total > published::TABLE_7_CLAIM;
     html! {
-        p { "The paper says that at " (gain.n) " elements the non-dimensional form is \u{201c}more \
+        p { "The paper states that at " (gain.n) " elements the non-dimensional form is \u{201c}more \
             than fourfold\u{201d} faster. We measure " (fixed(gain.total, 2)) @if !found { ", which does not confirm \
             the claim" } ". The longer step explains a factor of " (fixed(gain.longer_step, 2))
             "; the rest of a fourfold gain would require "

@@ -76,7 +76,7 @@ fn findings(context: &PageContext<'_>) -> Markup {
             li { a href="#spherical" { "Fourfold." } " The paper's \u{201c}more than fourfold\u{201d} \
                 gain of the spherical pendulum at " (spherical.n) " elements is "
                 @if spherical.total <= published::TABLE_7_CLAIM { "not " }
-                "found: we measure " (fixed(spherical.total, 2)) "." }
+                "found: the measured value is " (fixed(spherical.total, 2)) "." }
             li { a href="#condition-numbers" { "Conditioning." } " The non-dimensional form improves the condition \
                 number by a constant factor. Symmetry and equilibration improve it far more and make it independent \
                 of units." }

@@ -17,7 +17,7 @@ pub(super) use row;
 pub(super) fn compared(group: &'static str, unit: &'static str, decimals: [usize; 2]) -> [PaperColumn; 3] {
     let [ours, printed] = decimals.map(NumberFormat::Fixed);
     let difference = NumberFormat::Signed(decimals[0]);
-    [("ours", ours), ("paper", printed), ("difference", difference)]
+    [("ancf", ours), ("paper", printed), ("difference", difference)]
         .map(|(name, format)| PaperColumn::new(name, unit, format).under(group))
 }
 
@@ -29,9 +29,9 @@ pub(super) fn compare(ours: f64, paper: f64) -> [CellValue; 3] {
 /// Columns of an analysis time: computed, printed, ratio.
 pub(super) fn timed(group: &'static str) -> [PaperColumn; 3] {
     [
-        ("ours", "s", NumberFormat::Significant(3)),
+        ("ancf", "s", NumberFormat::Significant(3)),
         ("paper", "s", NumberFormat::Fixed(2)),
-        ("paper / ours", "", NumberFormat::Significant(2)),
+        ("paper / ancf", "", NumberFormat::Significant(2)),
     ]
     .map(|(name, unit, format)| PaperColumn::new(name, unit, format).under(group))
 }

@@ -27,7 +27,7 @@ pub(super) fn table4(forms: &FormValues) -> PaperTable {
             vec![ELEMENTS],
             timed("DIM").to_vec(),
             timed("Non-DIM").to_vec(),
-            vec![ratio("ours"), ratio("paper")],
+            vec![ratio("ancf"), ratio("paper")],
         ]
         .concat(),
         rows: rows(forms, time).into_iter().zip(ratios).map(with_ratio).collect(),

@@ -82,13 +82,13 @@ mod tests {
             axes: ["n".into(), "error".into()],
             equal: false,
             logarithmic: [true, true],
-            curves: vec![curve("reference", Mark::Points, 130), curve("ours", Mark::Line, 5)],
+            curves: vec![curve("reference", Mark::Points, 130), curve("ancf", Mark::Line, 5)],
         };
         let figure = figure(&plot);
         let [ours, reference] = &figure.series[..] else { panic!("two series") };
-        assert_eq!((ours.name.as_str(), ours.style.marker), ("ours", MarkerShape::None));
+        assert_eq!((ours.name.as_str(), ours.style.marker), ("ancf", MarkerShape::None));
         assert_eq!((reference.style.dash, reference.style.marker_every), (DashPattern::None, 3));
         assert_eq!((figure.x.scale, figure.y.scale), (AxisScale::Log, AxisScale::Log));
-        assert!(figure.svg().contains("aria-label=\"Errors: error against n: reference, ours\""));
+        assert!(figure.svg().contains("aria-label=\"Errors: error against n: reference, ancf\""));
     }
 }

@@ -51,7 +51,7 @@ pub(crate) fn to_toml(data: &Bound<'_, PyAny>) -> PyResult<String> {
     let mut reader = DataReader::default();
     let value = reader.model(data)?;
     if let Some(path) = reader.callables.first() {
-        let why = "found a function of Python, expected what a file can say";
+        let why = "found a function of Python, expected a value that a file can state";
         return Err(PyTypeError::new_err(format!("{path}: {why}")));
     }
     toml::to_string(&value).map_err(value_error)

@@ -1,4 +1,4 @@
-//! Results in the folder of a run.
+//! Results in a results folder.
 
 use std::io;
 use std::path::PathBuf;
@@ -17,7 +17,7 @@ use super::simulation::{Simulation, rows_to_array};
 use super::states::States;
 use crate::input::{model_error, to_python, value_error};
 
-/// Returns the results in the folder of a run in a dictionary.
+/// Returns the results of a results folder in a dictionary.
 #[pyfunction]
 pub(crate) fn load(py: Python<'_>, path: PathBuf) -> PyResult<Bound<'_, PyDict>> {
     let fail = |error| unreadable(py, error);

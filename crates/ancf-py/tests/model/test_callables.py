@@ -124,6 +124,7 @@ def test_the_model_of_a_result_keeps_its_functions(rod: dict[str, Any]) -> None:
     result = ancf.run(rod | {"loads": push(np.sin)})
     np.testing.assert_array_equal(ancf.run(result.model).data, result.data)
     with pytest.raises(
-        TypeError, match=r"loads\[0\]\.time: found a function of Python, expected what a file can say"
+        TypeError,
+        match=r"loads\[0\]\.time: found a function of Python, expected a value that a file can state",
     ):
         ancf.Model.from_dict(result.model).to_toml()

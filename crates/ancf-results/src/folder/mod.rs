@@ -1,4 +1,4 @@
-//! Folder of a run: paths, lock, summary, and writing of whole files.
+//! Results folder: paths, lock, summary, and writing of whole files.
 
 mod checksum;
 mod run_folder;

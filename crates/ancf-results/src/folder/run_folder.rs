@@ -7,7 +7,7 @@ use std::time::Duration;
 use super::checksum::{damaged, sha256};
 use super::whole_file::{remove, remove_all, with_path};
 
-/// Folder of a run and the paths of its files.
+/// Results folder and the paths of its files.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Folder(PathBuf);
 
@@ -177,7 +177,7 @@ impl Folder {
             .try_for_each(|path| remove_all(&path))
     }
 
-    /// Locks the folder for this process. The lock ends when the file is dropped or the process ends.
+    /// Locks the folder for this process. The lock ends when the file is closed or the process ends.
     pub(crate) fn lock(&self) -> io::Result<File> {
         let path = self.0.join(LOCK);
         let file = File::options()

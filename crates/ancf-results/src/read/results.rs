@@ -34,7 +34,7 @@ pub struct Results {
 }
 
 impl Results {
-    /// Opens the folder of a run.
+    /// Opens a results folder.
     ///
     /// # Errors
     /// If the folder contains no run, the model is not that of the run, or it is invalid in this version of the program.

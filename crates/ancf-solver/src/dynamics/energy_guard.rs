@@ -20,7 +20,7 @@ impl Default for EnergyGuard {
 /// Energy that the integration itself makes or loses: the change of the energies less work plus dissipation.
 ///
 /// The reference is the exchanged energy: the largest sum of kinetic and strain energy, plus the magnitudes of the work
-/// and of the dissipation of all steps. Energy that the integration makes does not count.
+/// and of the dissipation of all steps. Energy that the integration makes is not included.
 ///
 /// At a start from rest the exchanged energy is that of a few steps, and its relative error does not decrease with the
 /// step. Gains are therefore counted only while half of the reference is older than about twenty steps.
@@ -86,7 +86,7 @@ impl EnergyRecord {
         self.most
     }
 
-    /// Returns the number of attempted steps that made too much energy and were refused.
+    /// Returns the number of attempted steps that made too much energy and were rejected.
     pub fn refused(&self) -> u32 {
         self.refused
     }

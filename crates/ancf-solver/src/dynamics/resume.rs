@@ -9,7 +9,7 @@ impl<E: EquationsOfMotion> TimeStepper<'_, E> {
         StepperCheckpoint { motion: self.motion.clone(), active, newton: self.newton.checkpoint() }
     }
 
-    /// Resumes from a saved state. Later steps are identical to the last bit.
+    /// Resumes from a saved state. Later steps are bit-identical.
     ///
     /// # Errors
     /// If the saved state does not belong to this integration. The integration is then in an undefined state.

@@ -38,7 +38,7 @@ impl From<SingularMatrix> for EigenError {
 
 /// Operator T = S⁻¹ A on the x with Φ_q x = 0, self-adjoint in the inner product xᵀ B y.
 ///
-/// S is bordered, [S, Φ_qᵀ; Φ_q, 0], and all vectors have zeros in the place of multipliers. The borders of A and B
+/// S is bordered, [S, Φ_qᵀ; Φ_q, 0], and all vectors have zeros instead of multipliers. The borders of A and B
 /// therefore have no effect.
 #[derive(Debug)]
 pub(crate) struct Operator<'a> {

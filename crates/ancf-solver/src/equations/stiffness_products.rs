@@ -11,7 +11,7 @@ use super::term_sums::LocalState;
 /// Products of the stiffness matrix K with the columns of X.
 #[derive(Clone, Debug)]
 pub struct StiffnessProducts {
-    /// Columns of K X. They have the size of the columns of X and zeros in the place of multipliers.
+    /// Columns of K X. They have the size of the columns of X and zeros instead of multipliers.
     pub products: Vec<DVector<f64>>,
     /// Matrix Xᵀ K X.
     pub forms: DMatrix<f64>,

@@ -269,7 +269,7 @@ impl NullaryFnOnce for Factorise<'_> {
                 top,
                 updates,
             };
-            // Common shapes are repeated as constants, so that the compiler knows their sizes.
+            // Common shapes are repeated as constants, so that their sizes are known at compile time.
             let done = match supernode.shape() {
                 SupernodeShape { columns: 12, height: 6 } => {
                     work.eliminate(SupernodeShape { columns: 12, height: 6 })

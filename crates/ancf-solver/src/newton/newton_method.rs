@@ -327,7 +327,7 @@ impl Newton {
                 let remainder = (REDUCTION * first).min(REMAINDER * expected).max(least);
                 self.tangent.record(progress.rate(energy));
                 if size <= expected && self.tangent.remainder(size) <= remainder {
-                    // In statics the energy does not see motions without forces, whatever the gaps of the constraints.
+                    // In statics the energy does not depend on motions without forces, for any gaps of the constraints.
                     if (size > 0.0 && !is_static) || self.at(eom, s).has_closed_gaps() {
                         return ControlFlow::Break(Ok(progress.report));
                     } else if size > 0.0 || progress.report.increment == 0.0 {

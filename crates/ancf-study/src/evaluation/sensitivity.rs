@@ -96,7 +96,7 @@ mod tests {
         assert!((found.explained - 1.0).abs() < 1e-12);
     }
 
-    /// A monotonic function of one parameter has the rank correlation 1; ties have mean ranks.
+    /// A monotonic function of one parameter has the rank correlation 1; equal values have mean ranks.
     #[test]
     fn ranks_are_those_of_monotonic_functions() {
         let a = column("a", (0..8).map(f64::from).collect());

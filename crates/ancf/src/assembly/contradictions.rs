@@ -51,7 +51,7 @@ pub(crate) fn contradictions(model: &Model) -> Vec<Finding> {
             Owner::Joint(k) => format!("joints[{k}]"),
             Owner::Coupling(k) => format!("couplings[{k}]"),
         };
-        ModelError::new(path, found, "joints that agree where they tie the same").into()
+        ModelError::new(path, found, "joints that agree where they constrain the same motion").into()
     };
     let owners: BTreeSet<Owner> = findings.iter().map(|(owner, _)| *owner).collect();
     owners.into_iter().map(of).collect()

@@ -37,7 +37,7 @@ impl fmt::Display for Redundant {
         }
         // What a coupling follows from may be a coupling too.
         match (self.with.as_slice(), self.coupling) {
-            ([], _) => write!(f, ", ties nothing that could move"),
+            ([], _) => write!(f, ", constrains nothing that can move"),
             ([one], false) => write!(f, ", follows from joint `{one}`"),
             ([one], true) => write!(f, ", follows from `{one}`"),
             ([first @ .., last], _) => {
@@ -193,7 +193,7 @@ impl<'a> Constraints<'a> {
     /// Linear constraints: rows of Φ_q that do not depend on the state.
     fn linear(&self, s: &State) -> HashSet<usize> {
         let mut elsewhere = s.clone();
-        // Any place will do that has no symmetry.
+        // Any place without symmetry is suitable.
         (0..s.q.len()).for_each(|i| elsewhere.q[i] += (1.7 * (i + 1) as f64).sin());
         let (here, there) = (self.rows(s), self.rows(&elsewhere));
         (0..self.multipliers).filter(|&row| here[row] == there[row]).collect()

@@ -76,7 +76,7 @@ fn run() -> Result<Findings, VerificationError> {
             "Path of the tip",
             ["x, m", "y, m"],
             vec![
-                PlotCurve::line("ours", free.points("tip.x", "tip.y")?),
+                PlotCurve::line("ancf", free.points("tip.x", "tip.y")?),
                 PlotCurve::points("rigid rod", RIGID.map(|[_, x, y, ..]| [x, y]).to_vec()),
             ],
         )
@@ -86,9 +86,9 @@ fn run() -> Result<Findings, VerificationError> {
         "Reaction of the hinge",
         ["t, s", "force along x and y, N"],
         vec![
-            PlotCurve::line("ours, x", damped.points("t", "hinge.fx")?),
+            PlotCurve::line("ancf, x", damped.points("t", "hinge.fx")?),
             PlotCurve::points("rigid rod, x", RIGID.map(|[t, _, _, x, _]| [t, x]).to_vec()),
-            PlotCurve::line("ours, y", damped.points("t", "hinge.fy")?),
+            PlotCurve::line("ancf, y", damped.points("t", "hinge.fy")?),
             PlotCurve::points("rigid rod, y", RIGID.map(|[t, .., y]| [t, y]).to_vec()),
         ],
     ));

@@ -142,7 +142,7 @@ fn run() -> Result<Findings, VerificationError> {
         Plot::new(
             "Errors of adaptive steps over a second, by tolerance",
             ["tolerance", "root mean square error / length"],
-            vec![PlotCurve::line("ours", errors), PlotCurve::points("upper bound", bound)],
+            vec![PlotCurve::line("ancf", errors), PlotCurve::points("upper bound", bound)],
         )
         .with_logarithmic_axes([true, true]),
     );

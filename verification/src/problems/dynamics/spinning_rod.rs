@@ -97,7 +97,7 @@ fn on_a_hub(findings: &mut Findings) -> Result<(), VerificationError> {
         "Stretch of the rod",
         ["t, s", "m"],
         vec![
-            PlotCurve::line("ours", radial.iter().map(|row| [row[0], row[1]]).collect()),
+            PlotCurve::line("ancf", radial.iter().map(|row| [row[0], row[1]]).collect()),
             PlotCurve::points("steady", vec![[1.25, STRETCH], [1.5, STRETCH]]),
         ],
     ));
@@ -155,7 +155,7 @@ fn tumbling(findings: &mut Findings) -> Result<(), VerificationError> {
         Plot::new(
             "Tumbling: path of an end, seen along x",
             ["y, m", "z, m"],
-            vec![PlotCurve::line("ours", thin(0, 20)), PlotCurve::points("rigid top", thin(1, 500))],
+            vec![PlotCurve::line("ancf", thin(0, 20)), PlotCurve::points("rigid top", thin(1, 500))],
         )
         .with_equal_scales(),
     );

@@ -218,7 +218,7 @@ fn becks_column() -> Result<Findings, VerificationError> {
         points.push([f64::from(elements), load]);
     }
     let curves = vec![
-        PlotCurve::line("ours", points),
+        PlotCurve::line("ancf", points),
         PlotCurve::points("Beck", vec![[8.0, 20.0509], [16.0, 20.0509]]),
     ];
     findings.plot(Plot::new("Flutter load", ["elements", "P L²/EI"], curves));

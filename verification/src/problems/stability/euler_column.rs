@@ -111,7 +111,7 @@ fn run() -> Result<Findings, VerificationError> {
         Plot::new(
             "Path of the tip beyond the critical load",
             ["x/L", "y/L"],
-            vec![PlotCurve::line("ours", path), PlotCurve::points("elastica", elastica)],
+            vec![PlotCurve::line("ancf", path), PlotCurve::points("elastica", elastica)],
         )
         .with_equal_scales(),
     );

@@ -54,7 +54,7 @@ fn run() -> Result<Findings, VerificationError> {
             "Path of the tip up to P L²/EI = 10",
             ["x/L", "y/L"],
             vec![
-                PlotCurve::line("ours", ours),
+                PlotCurve::line("ancf", ours),
                 PlotCurve::points("elastica", TIPS.map(|(_, x, y)| [x, -y]).to_vec()),
             ],
         )

@@ -56,7 +56,7 @@ fn run() -> Result<Findings, VerificationError> {
             ["elements", "error / L"],
             vec![
                 PlotCurve::line(
-                    "ours",
+                    "ancf",
                     MESHES.iter().zip(&tips).map(|(&n, tip)| [f64::from(n), error(tip)]).collect(),
                 ),
                 PlotCurve::points("fourth order", MESHES.map(fourth).to_vec()),

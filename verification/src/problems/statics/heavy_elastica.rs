@@ -99,7 +99,7 @@ fn run() -> Result<Findings, VerificationError> {
             "Path of the tip up to qL³/EI = 50",
             ["x/L", "y/L"],
             vec![
-                PlotCurve::line("ours", path),
+                PlotCurve::line("ancf", path),
                 PlotCurve::points("heavy elastica", TIPS.map(|(_, x, drop)| [x, -drop]).to_vec()),
             ],
         )

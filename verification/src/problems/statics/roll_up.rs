@@ -143,7 +143,7 @@ fn run() -> Result<Findings, VerificationError> {
                         Ok([solved.last(&format!("p{tenth}.x"))?, solved.last(&format!("p{tenth}.y"))?])
                     })
                     .collect::<Result<_, VerificationError>>()?;
-                curves.push(PlotCurve::line(format!("ours, φ = {}π", quarters / 4.0), points));
+                curves.push(PlotCurve::line(format!("ancf, φ = {}π", quarters / 4.0), points));
             }
         }
     }

@@ -49,7 +49,7 @@ class Document(Part):
         """Write the model file."""
         Path(path).write_text(self.to_toml(), encoding="utf-8")
 
-    # The caller knows the class of a body or joint, hence `Any`.
+    # The class of a body or joint is known to the caller only, hence `Any`.
 
     def body(self, name: str) -> Any:
         """Return the body with a name. Raises ``KeyError`` if there is none."""

@@ -196,7 +196,7 @@ fn contradicting_joints_are_rejected() {
     assert_eq!(
         errors[0].to_string(),
         "joints[1]: found equations that contradict `one`: driven normal of the section, first equation, \
-         expected joints that agree where they tie the same"
+         expected joints that agree where they constrain the same motion"
     );
     let held = short(with(rod::clamped(2, ClampedGradients::Section), [drive("motor", "t^3")]));
     assert!(

@@ -42,7 +42,7 @@ def run(
     """Run cases on the workers of a client and add their rows. `tick` is called after each task and now and then.
 
     A task has as many cases as take about half a second, and a few tasks wait for each worker. The scheduler
-    repeats tasks whose worker dies. If it gives up a task, since several workers died, its cases are submitted again
+    repeats tasks whose worker dies. If it abandons a task, since several workers died, its cases are submitted again
     one at a time, when no other task is running. A case that kills its worker is thus identified and becomes a row.
     """
     import cloudpickle

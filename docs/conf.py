@@ -14,6 +14,7 @@ if TYPE_CHECKING:
 
 # Embed the figures of cells in the pages, independent of the environment.
 os.environ["MPLBACKEND"] = "module://matplotlib_inline.backend_inline"
+os.environ["MATPLOTLIBRC"] = str(Path(__file__).parent / "matplotlibrc")
 
 project = "ancf"
 release = ancf.__version__

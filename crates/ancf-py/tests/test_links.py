@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
+import itertools
 import json
 import re
 from collections.abc import Iterator
 from functools import cache
-from itertools import pairwise
 from pathlib import Path
 from urllib.parse import unquote, urlsplit
 
@@ -50,7 +50,7 @@ def anchors(page: Path) -> frozenset[str]:
     """Anchors of the headings of a page. Equal headings have numbers."""
     blocks = tokens(page)
     found: set[str] = set()
-    for opening, content in pairwise(blocks):
+    for opening, content in itertools.pairwise(blocks):
         if opening.type == "heading_open":
             base = slug(re.sub(r"\[([^][]*)\]\([^()]*\)", r"\1", content.content))
             names = (base if k == 0 else f"{base}-{k}" for k in range(len(blocks)))

@@ -26,11 +26,11 @@ fn figure3(table: &FormValues) -> PaperFigure {
     PaperFigure::new(
         "fig3",
         stack([ours, paper].map(|figure| Figure { height: 250.0, ..figure })),
-        "Analysis time of the cantilever against the number of elements: ours above, the paper's below. \
+        "Analysis time of the cantilever against the number of elements: ancf above, the paper's below. \
          The non-dimensional form is slower with few elements and faster with many, because its physical step grows like √n.",
     )
     .described(format!(
-        "Two plots of analysis time against number of elements. At 20 elements ours takes {} s (DIM) and \
+        "Two plots of analysis time against number of elements. At 20 elements ancf takes {} s (DIM) and \
          {} s (Non-DIM), the paper {} s and {} s.",
         last(&table.dim),
         last(&table.nondim),

@@ -67,7 +67,7 @@ fn conditions() -> Markup {
             (peers::EXUDYN_CONDITIONS) "; a cable of 12 coordinates without shear and torsion, which is half \
             the unknowns, Newmark's scheme as here, a modified Newton method with a relative tolerance of \
             10⁻⁵ of the residual, tuned for speed. Both: one thread, time of the processor, no files. \
-            Ours: the full Newton method, as the paper's; the modified one, the default elsewhere, takes half \
+            ancf: the full Newton method, as the paper's; the modified one, the default elsewhere, takes half \
             of the time at 20 elements." }
     }
 }

@@ -15,14 +15,14 @@ pub(crate) fn test() -> Done {
         ("types", "mypy", &["crates/ancf-py/python/ancf", "crates/ancf-py/tests"]),
         ("stubs", "stubtest", &["ancf._ancf", "--mypy-config-file", "pyproject.toml"]),
         ("tests of Python", "pytest", &["--quiet"]),
-        ("site", "sphinx-build", &["-W", "--keep-going", "--quiet", "docs", "target/site"]),
+        ("site", "sphinx-build", &["-E", "-W", "--keep-going", "--quiet", "docs", "target/site"]),
     ];
     checks.iter().try_for_each(|(what, program, arguments)| step(&environment, what, program, arguments))
 }
 
 /// Builds the documentation site into `target/site`.
 pub(crate) fn docs() -> Done {
-    step(&installed()?, "site", "sphinx-build", &["-W", "--keep-going", "docs", "target/site"])?;
+    step(&installed()?, "site", "sphinx-build", &["-E", "-W", "--keep-going", "docs", "target/site"])?;
     say("the site is in target/site/index.html");
     Ok(())
 }

@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { build } from "esbuild";
-import { close, launch, open, plotArea, settle } from "./support/browser.mjs";
+import { close, DESKTOP, launch, open, PHONE, plotArea, settle } from "./support/browser.mjs";
 import { chartScene } from "./support/charts.mjs";
 import { modelPage } from "./support/models.mjs";
 
@@ -14,8 +14,6 @@ before(async () => {
 });
 after(() => close(browser));
 
-const DESKTOP = { width: 1400, height: 900 };
-const PHONE = { width: 400, height: 800 };
 const titles = (tab) => tab.$$eval(".chart h2", (all) => all.map((e) => e.firstChild.textContent));
 const leftEdges = (tab) => tab.$$eval(".u-over", (all) => all.map((e) => e.getBoundingClientRect().left));
 /** Numbers of `count` rows. */

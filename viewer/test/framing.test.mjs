@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { close, launch, open, settle } from "./support/browser.mjs";
+import { close, DESKTOP, launch, open, PHONE, settle } from "./support/browser.mjs";
 import { cantilever } from "./support/cantilever.mjs";
 import { f32 } from "./support/container.mjs";
 import { modelNames, modelPage } from "./support/models.mjs";
@@ -13,8 +13,6 @@ before(async () => {
 });
 after(() => close(browser));
 
-const DESKTOP = { width: 1400, height: 900 };
-const PHONE = { width: 400, height: 800 };
 /** Smallest share of the free area that the longer side of the motion covers. */
 const SHARE = 0.7;
 /** Models whose motion or structure is not in one plane. */

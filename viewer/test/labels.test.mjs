@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { close, launch, open, setTime, settle } from "./support/browser.mjs";
+import { close, DESKTOP, launch, open, PHONE, setTime, settle } from "./support/browser.mjs";
 import { cantilever } from "./support/cantilever.mjs";
 import { f32 } from "./support/container.mjs";
 import { modelPage } from "./support/models.mjs";
@@ -13,8 +13,6 @@ before(async () => {
 });
 after(() => close(browser));
 
-const DESKTOP = { width: 1400, height: 900 };
-const PHONE = { width: 400, height: 800 };
 
 /** Visible labels with their rectangles, and the rectangles of the elements over the 3-D view. */
 const labelLayout = (tab) =>

@@ -3,7 +3,7 @@
 import { mkdirSync } from "node:fs";
 import { join } from "node:path";
 import { manyBeams } from "./support/beams.mjs";
-import { close, launch, open, settle } from "./support/browser.mjs";
+import { close, DESKTOP, launch, open, PHONE, settle } from "./support/browser.mjs";
 import { cantilever } from "./support/cantilever.mjs";
 import { machine } from "./support/machine.mjs";
 import { modelNames, modelPage } from "./support/models.mjs";
@@ -11,7 +11,7 @@ import { frequencies, modes } from "./support/shapes.mjs";
 
 const folder = process.argv[2] ?? "shots";
 mkdirSync(folder, { recursive: true });
-const PHONE = { width: 390, height: 844, isMobile: true, hasTouch: true, deviceScaleFactor: 2 };
+const TOUCH = { width: 390, height: 844, isMobile: true, hasTouch: true, deviceScaleFactor: 2 };
 const press = (keys) => async (tab) => {
   for (const key of keys) await tab.keyboard.press(key);
 };
@@ -31,8 +31,8 @@ const SHOTS = [
   ["light", cantilever(), {}, at(0.5, ["g"])],
   ["dark", cantilever(), { theme: "dark" }, at(1.4, ["g", "4", "d", "n"])],
   ["solver", cantilever(), {}, solver],
-  ["phone", cantilever(), { viewport: PHONE }, at(0.5, ["g"])],
-  ["phone-dark", modes(), { viewport: PHONE, theme: "dark" }, at(2, ["g"])],
+  ["phone", cantilever(), { viewport: TOUCH }, at(0.5, ["g"])],
+  ["phone-dark", modes(), { viewport: TOUCH, theme: "dark" }, at(2, ["g"])],
   ["modes", modes(), {}, at(2, ["g"])],
   ["frequencies", frequencies(), {}, (tab) => tab.click("#tab-Charts")],
   ["machine", machine(), {}, at(0.3)],
@@ -42,8 +42,6 @@ const SHOTS = [
   ["empty", cantilever({ frames: 1 }), {}, press([])],
 ];
 
-const SMALL = { width: 400, height: 800 };
-const LARGE = { width: 1400, height: 900 };
 const middle = (tab) =>
   tab.$eval("input.time-slider", (e) => {
     e.value = String(0.37 * Number(e.max));
@@ -51,9 +49,9 @@ const middle = (tab) =>
   });
 for (const name of modelNames) {
   const html = () => modelPage(name);
-  SHOTS.push([name, null, { viewport: LARGE, html }, middle]);
-  SHOTS.push([`${name}-dark`, null, { viewport: LARGE, theme: "dark", html }, middle]);
-  SHOTS.push([`${name}-phone`, null, { viewport: SMALL, html }, middle]);
+  SHOTS.push([name, null, { viewport: DESKTOP, html }, middle]);
+  SHOTS.push([`${name}-dark`, null, { viewport: DESKTOP, theme: "dark", html }, middle]);
+  SHOTS.push([`${name}-phone`, null, { viewport: PHONE, html }, middle]);
 }
 
 const browser = await launch();

@@ -28,8 +28,8 @@ mod _ancf {
     use super::run::{Simulation, States};
     #[pymodule_export]
     use super::study::{
-        case_layout, check_places, parameter_type, reduce_column, sample_probabilities, sobol_points,
-        zip_errors,
+        case_layout, check_places, linear_fit, observed_orders, parameter_type, reduce_column,
+        sample_probabilities, sobol_points, zip_errors,
     };
 
     /// Version of the engine.

@@ -1,4 +1,4 @@
-//! Functions of the study engine: sampling, numbering of cases, checks of parameters, types of columns.
+//! Functions of the study engine: sampling, numbering of cases, checks of parameters, types of columns, evaluation.
 
 use ancf_study::{CaseLayout, ParameterType, Sampling};
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1};
@@ -101,4 +101,23 @@ pub(crate) fn parameter_type(values: Vec<Bound<'_, PyAny>>) -> &'static str {
     let mut reader = DataReader::default();
     let values: Option<Vec<_>> = values.iter().map(|value| reader.read(value).ok().flatten()).collect();
     values.map_or(ParameterType::Text, |values| ParameterType::of(&values)).arrow_name()
+}
+
+/// Returns the observed orders and the limits of values at decreasing sizes; NaN without an order.
+#[pyfunction]
+pub(crate) fn observed_orders<'py>(
+    py: Python<'py>,
+    sizes: Vec<f64>,
+    values: Vec<f64>,
+) -> (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>) {
+    let (orders, limits) = ancf_study::observed_orders(&sizes, &values);
+    (PyArray1::from_vec(py, orders), PyArray1::from_vec(py, limits))
+}
+
+/// Returns the standardised coefficients of a linear regression on columns, the rank correlations, and the explained fraction of
+/// the variance. `None` for constant values.
+#[pyfunction]
+pub(crate) fn linear_fit(columns: Vec<Vec<f64>>, values: Vec<f64>) -> Option<(Vec<f64>, Vec<f64>, f64)> {
+    let fit = ancf_study::linear_fit(&columns, &values)?;
+    Some((fit.coefficients, fit.ranks, fit.explained))
 }

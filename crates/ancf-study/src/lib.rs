@@ -31,7 +31,8 @@ mod table;
 pub use cases::{CaseDesign, CaseOutcome, CaseRow, ObjectiveGauges, ParameterAxis, reduce_column, run_cases};
 pub use engine::{StudyRun, StudySettings};
 pub use evaluation::{
-    Convergence, ParameterSensitivity, RecordedColumn, Sensitivity, StudyRecord, convergence, sensitivity,
+    Convergence, LinearFit, ParameterSensitivity, RecordedColumn, Sensitivity, StudyRecord, convergence,
+    linear_fit, observed_orders, sensitivity,
 };
 pub use part::StudyPart;
 pub use source::StudySource;

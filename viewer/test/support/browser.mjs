@@ -35,7 +35,9 @@ export async function close(browser) {
   rmSync(folder, { recursive: true, force: true });
 }
 
-const DESKTOP = { width: 1280, height: 800 };
+/** Viewports of the tests. */
+export const DESKTOP = { width: 1400, height: 900 };
+export const PHONE = { width: 400, height: 800 };
 let pages = 0;
 
 /**

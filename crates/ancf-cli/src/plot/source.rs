@@ -9,7 +9,7 @@ use ancf_results::{Results, RunStatus};
 use ancf_study::{RecordedColumn, StudyRecord};
 use anyhow::Result;
 
-use crate::results::{open_run, open_study};
+use crate::results::open_run;
 use crate::terminal::Ended;
 
 /// Columns with their units and values.
@@ -51,7 +51,7 @@ impl PlotSource {
     /// # Errors
     /// If a file cannot be read or is damaged.
     pub fn open(folder: &Path) -> Result<Result<Self, Ended>> {
-        if let Some(study) = open_study(folder)? {
+        if let Some(study) = StudyRecord::read(folder)? {
             return Ok(Ok(Self::of_study(&study.finished())?));
         }
         match open_run(folder)? {

@@ -6,11 +6,9 @@ mod run_folder;
 mod scene;
 #[cfg(feature = "figures")]
 mod study;
-mod study_folder;
 mod view;
 
 pub use paraview::{PARAVIEW_EXAMPLES, ParaviewArguments};
 pub use report::{REPORT, REPORT_EXAMPLES, ReportArguments, write_report};
 pub use run_folder::open_run;
-pub use study_folder::open_study;
 pub use view::{VIEW_EXAMPLES, ViewArguments};

@@ -11,7 +11,6 @@ use clap::Args;
 
 use super::run_folder::open_run;
 use super::scene::scene_of;
-use super::study_folder::open_study;
 use crate::terminal::{Ended, print};
 
 /// Arguments of `ancf report`.
@@ -54,13 +53,13 @@ pub const REPORT: &str = "report.html";
 /// Page of a study.
 #[cfg(feature = "figures")]
 #[expect(clippy::unnecessary_wraps, reason = "a program without figures has no page")]
-pub fn page_of_study(folder: &Path, study: &StudyRecord) -> Result<String, Ended> {
+fn page_of_study(folder: &Path, study: &StudyRecord) -> Result<String, Ended> {
     Ok(super::study::study_page(folder, study))
 }
 
 /// Rejects the command: this program has no figures.
 #[cfg(not(feature = "figures"))]
-pub fn page_of_study(_: &Path, _: &StudyRecord) -> Result<String, Ended> {
+fn page_of_study(_: &Path, _: &StudyRecord) -> Result<String, Ended> {
     Err(crate::terminal::reject_figures())
 }
 
@@ -69,7 +68,7 @@ pub fn page_of_study(_: &Path, _: &StudyRecord) -> Result<String, Ended> {
 /// # Errors
 /// If results cannot be read or the report cannot be written.
 pub fn write_report(folder: &Path, path: &Path, budget: usize) -> Result<Option<Ended>> {
-    let html = match open_study(folder)? {
+    let html = match StudyRecord::read(folder)? {
         Some(study) => match page_of_study(folder, &study) {
             Ok(html) => html,
             Err(ended) => return Ok(Some(ended)),

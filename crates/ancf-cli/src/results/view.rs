@@ -9,13 +9,14 @@ use std::time::{Duration, SystemTime};
 
 use ancf_report::{BUDGET, SceneSource, Server};
 use ancf_results::{Folder, Results};
+use ancf_study::StudyRecord;
 use anyhow::{Context, Result};
 use clap::Args;
 
-use super::report::page_of_study;
 use super::run_folder::open_run;
 use super::scene::scene_of;
-use super::study_folder::open_study;
+#[cfg(feature = "figures")]
+use super::study::LiveStudy;
 use crate::terminal::{Ended, check_output, interrupt, print, print_status};
 
 /// Arguments of `ancf view`.
@@ -39,11 +40,11 @@ The server accepts connections of this machine only, serves this folder only, an
 impl ViewArguments {
     /// Serves the report until Ctrl-C.
     pub fn run(&self) -> Result<Ended> {
-        let source: Arc<dyn SceneSource> = match open_study(&self.folder)? {
-            Some(study) => match page_of_study(&self.folder, &study) {
-                Ok(_) => Arc::new(LiveStudy(self.folder.clone())),
-                Err(ended) => return Ok(ended),
-            },
+        let source: Arc<dyn SceneSource> = match StudyRecord::read(&self.folder)? {
+            #[cfg(feature = "figures")]
+            Some(_) => Arc::new(LiveStudy::of(self.folder.clone())),
+            #[cfg(not(feature = "figures"))]
+            Some(_) => return Ok(crate::terminal::reject_figures()),
             None => match open_run(&self.folder)? {
                 Ok(_) => Arc::new(LiveFolder(self.folder.clone())),
                 Err(ended) => return Ok(ended),
@@ -102,28 +103,5 @@ impl SceneSource for LiveFolder {
     fn scene(&self) -> io::Result<Vec<u8>> {
         let results = Results::open(&self.0).map_err(io::Error::other)?;
         scene_of(&results, true, BUDGET).map_err(|error| io::Error::other(format!("{error:#}")))
-    }
-}
-
-/// Study in a folder that may be growing.
-struct LiveStudy(PathBuf);
-
-/// Element that reloads the page every ten seconds.
-const RELOAD: &str = "<meta http-equiv=\"refresh\" content=\"10\">";
-
-impl SceneSource for LiveStudy {
-    fn page(&self) -> io::Result<String> {
-        let study = open_study(&self.0).map_err(|error| io::Error::other(format!("{error:#}")))?;
-        let page = page_of_study(&self.0, &study.unwrap_or_default());
-        page.map(|page| page.replacen("<head>", &format!("<head>{RELOAD}"), 1))
-            .map_err(|_| io::Error::other("there is no page"))
-    }
-
-    fn version(&self) -> u64 {
-        0
-    }
-
-    fn scene(&self) -> io::Result<Vec<u8>> {
-        Err(io::Error::other("a study has no scene"))
     }
 }

@@ -11,20 +11,21 @@ use crate::terminal::count;
 /// Maximum number of printed messages. All messages are in the table.
 const MAX_MESSAGES: usize = 3;
 
-/// Returns smallest value, mean and largest value of each objective as aligned lines.
+/// Returns smallest value, mean, largest value and standard deviation of each objective as aligned lines.
 pub fn ranges(results: &StudyResults) -> String {
-    let mut lines = vec![["objective", "least", "mean", "largest"].map(str::to_owned)];
+    let mut lines = vec![["objective", "least", "mean", "largest", "deviation"].map(str::to_owned)];
     for (k, name) in results.objectives().keys().enumerate() {
-        let ObjectiveRange { least, mean, largest } = results.range(k);
-        let shown = |x: Option<f64>| x.map_or_else(|| "-".to_owned(), short);
-        lines.push([name.clone(), shown(least), shown(mean), shown(largest)]);
+        let ObjectiveRange { least, mean, largest, deviation } = results.range(k);
+        let [least, mean, largest, deviation] =
+            [least, mean, largest, deviation].map(|x| x.map_or_else(|| "-".to_owned(), short));
+        lines.push([name.clone(), least, mean, largest, deviation]);
     }
     if lines.len() == 1 {
         return String::new();
     }
     let width = lines.iter().map(|[name, ..]| name.chars().count()).max().unwrap_or(0);
-    let line = |[name, least, mean, most]: &[String; 4]| {
-        format!("{name:width$}  {least:>13}  {mean:>13}  {most:>13}\n")
+    let line = |[name, least, mean, most, deviation]: &[String; 5]| {
+        format!("{name:width$}  {least:>13}  {mean:>13}  {most:>13}  {deviation:>13}\n")
     };
     lines.iter().map(line).collect()
 }

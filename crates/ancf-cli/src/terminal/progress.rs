@@ -5,6 +5,7 @@ use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
 use ancf::Model;
+use ancf::errors::short;
 use ancf::record::Sink;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
@@ -76,24 +77,11 @@ impl RunProgress {
     /// Message of a row at time `t`.
     fn message(&self, t: f64, iterations: f64) -> String {
         if !self.has_steps {
-            return format!("t = {}, {iterations} iterations", number(t));
+            return format!("t = {}, {iterations} iterations", short(t));
         }
         let rate = self.rows as f64 / self.begun.elapsed().as_secs_f64();
-        let step = number(t - self.time);
-        format!("t = {}, step {step}, {iterations} iterations, {rate:.0} steps/s", number(t))
-    }
-}
-
-/// A number with four significant digits.
-fn number(x: f64) -> String {
-    let magnitude = x.abs();
-    if magnitude == 0.0 {
-        "0".to_owned()
-    } else if (1e-3..1e5).contains(&magnitude) {
-        let digits = 3 - magnitude.log10().floor() as i32;
-        format!("{x:.*}", usize::try_from(digits).unwrap_or(0))
-    } else {
-        format!("{x:.3e}")
+        let step = short(t - self.time);
+        format!("t = {}, step {step}, {iterations} iterations, {rate:.0} steps/s", short(t))
     }
 }
 
@@ -123,16 +111,5 @@ impl Sink for RunProgress {
     fn finish(&mut self) -> io::Result<()> {
         self.bar.finish_and_clear();
         Ok(())
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn numbers_have_four_digits() {
-        let texts = [0.0, 1e-4, 0.00123456, 0.5, 12.3456, 1234.56, 2e6].map(number);
-        assert_eq!(texts, ["0", "1.000e-4", "0.001235", "0.5000", "12.35", "1235", "2.000e6"]);
     }
 }

@@ -22,7 +22,9 @@ __all__ = [
     "diagnose",
     "inertia_box",
     "load",
+    "linear_fit",
     "nearest",
+    "observed_orders",
     "outline",
     "parameter_type",
     "read",
@@ -159,3 +161,9 @@ def check_places(
 ) -> tuple[dict[str, Any], list[_FaultArguments]]: ...
 def reduce_column(column: NDArray[np.float64], take: str) -> float: ...
 def parameter_type(values: list[Any]) -> str: ...
+def observed_orders(
+    sizes: NDArray[np.float64], values: NDArray[np.float64]
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]: ...
+def linear_fit(
+    columns: NDArray[np.float64], values: NDArray[np.float64]
+) -> tuple[list[float], list[float], float] | None: ...

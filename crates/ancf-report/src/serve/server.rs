@@ -1,7 +1,7 @@
 use std::convert::Infallible;
 use std::io;
 use std::net::{Ipv4Addr, SocketAddr, TcpListener};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -187,7 +187,7 @@ impl Content {
     /// Response with a file of the folder.
     async fn file(&self, path: &str) -> Reply {
         let (folder, path) = (self.folder.clone(), path.to_owned());
-        let opened = tokio::task::spawn_blocking(move || file(Path::new(&folder), &path)).await;
+        let opened = tokio::task::spawn_blocking(move || file(&folder, &path)).await;
         match opened {
             Ok(Some(file)) => reply::file(file.kind, file.file.into(), file.length),
             _ => reply::status(StatusCode::NOT_FOUND),

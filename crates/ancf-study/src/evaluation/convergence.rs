@@ -28,16 +28,24 @@ pub fn convergence(parameter: &RecordedColumn, objective: &RecordedColumn) -> Op
         return None;
     }
     let (sizes, values): (Vec<f64>, Vec<f64>) = pairs.into_iter().unzip();
+    let (orders, limits) = observed_orders(&sizes, &values);
+    let limit = limits.into_iter().rfind(|limit| limit.is_finite());
+    Some(Convergence { sizes, values, orders, limit })
+}
+
+/// Returns the order p and the limit f∞ of f = f∞ + C hᵖ through each value and the two before. NaN if there is none.
+///
+/// Sizes decrease. The numbers of sizes and values are equal.
+pub fn observed_orders(sizes: &[f64], values: &[f64]) -> (Vec<f64>, Vec<f64>) {
     let mut orders = vec![f64::NAN; sizes.len()];
-    let mut limit = None;
-    for k in 2..sizes.len() {
-        let (h, f) = (&sizes[k - 2..=k], &values[k - 2..=k]);
+    let mut limits = orders.clone();
+    for (k, (h, f)) in sizes.windows(3).zip(values.windows(3)).enumerate() {
         if let Some(p) = order([h[0], h[1], h[2]], [f[0], f[1], f[2]]) {
-            orders[k] = p;
-            limit = Some(f[2] + (f[2] - f[1]) / ((p * (h[1] / h[2]).ln()).exp_m1()));
+            orders[k + 2] = p;
+            limits[k + 2] = f[2] + (f[2] - f[1]) / ((p * (h[1] / h[2]).ln()).exp_m1());
         }
     }
-    Some(Convergence { sizes, values, orders, limit })
+    (orders, limits)
 }
 
 /// Order p with (f₂ − f₁)/(f₃ − f₂) = (h₁ᵖ − h₂ᵖ)/(h₂ᵖ − h₃ᵖ), h₁ > h₂ > h₃ (Roache 1994), by bisection.

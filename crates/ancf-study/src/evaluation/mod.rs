@@ -4,6 +4,6 @@ mod convergence;
 mod record;
 mod sensitivity;
 
-pub use convergence::{Convergence, convergence};
+pub use convergence::{Convergence, convergence, observed_orders};
 pub use record::{RecordedColumn, StudyRecord};
-pub use sensitivity::{ParameterSensitivity, Sensitivity, sensitivity};
+pub use sensitivity::{LinearFit, ParameterSensitivity, Sensitivity, linear_fit, sensitivity};

@@ -8,7 +8,7 @@ use toml::{Table, Value};
 
 use crate::cases::CaseOutcome;
 use crate::statement::TABLE_COLUMNS;
-use crate::table::{StudyError, TableError};
+use crate::table::{StudyError, TableError, table_files};
 
 /// Table of a study as read from its folder.
 #[derive(Clone, Debug, Default)]
@@ -58,42 +58,34 @@ impl RecordedColumn {
 }
 
 impl StudyRecord {
-    /// Files of the tables in the folder of a study; empty if the folder has no study.
-    pub fn files(folder: &Path) -> Vec<PathBuf> {
-        let entries = fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path());
-        let is_table = |path: &PathBuf| {
-            let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-            name.starts_with("cases") && name.ends_with(".parquet")
-        };
-        let mut files: Vec<PathBuf> = entries.filter(is_table).collect();
-        files.sort();
-        files
-    }
-
-    /// Reads the tables in the folder of a study. If a case occurs more than once, a finished row takes precedence.
+    /// Reads the study in a folder; `None` if there is no table.
+    ///
+    /// The newest table is read: `cases.parquet` alone, `cases-K-of-N.parquet` with the other parts of the same number and
+    /// the same text of the study. Tables of an earlier state of the study are omitted.
     ///
     /// # Errors
-    /// If there is no table, or a table cannot be read.
-    pub fn read(folder: &Path) -> Result<Self, StudyError> {
-        let mut rows: BTreeMap<i64, BTreeMap<String, Field>> = BTreeMap::new();
-        let mut about = About::default();
-        for path in Self::files(folder) {
-            let (own, read) = rows_of(&path).map_err(|source| StudyError::Table { path, source })?;
-            about = own;
-            for row in read {
-                let Some(Field::Long(case)) = row.get("case") else { continue };
-                let is_finished = word(&row, "outcome") == CaseOutcome::Finished.word();
-                if is_finished || !rows.contains_key(case) {
-                    rows.insert(*case, row);
-                }
+    /// If a table cannot be read.
+    pub fn read(folder: &Path) -> Result<Option<Self>, StudyError> {
+        let Some((first, others)) = newest(table_files(folder)?) else { return Ok(None) };
+        let read = |path: PathBuf| rows_of(&path).map_err(|source| StudyError::Table { path, source });
+        let (about, mut found) = read(first)?;
+        for path in others {
+            let (other, more) = read(path)?;
+            if other.text == about.text {
+                found.extend(more);
             }
         }
+        let numbered = found.into_iter().filter_map(|row| match row.get("case") {
+            Some(Field::Long(case)) => Some((*case, row)),
+            _ => None,
+        });
+        let rows: BTreeMap<i64, BTreeMap<String, Field>> = numbered.collect();
         let (objectives, parameters): (Vec<String>, Vec<String>) =
             about.values.into_iter().partition(|name| about.objectives.contains(name));
         let columns =
             |names: Vec<String>| names.into_iter().map(|name| column(&rows, name)).collect::<Vec<_>>();
         let outcome = |row| CaseOutcome::from_word(&word(row, "outcome")).unwrap_or(CaseOutcome::Failed);
-        Ok(Self {
+        Ok(Some(Self {
             cases: rows.keys().copied().collect(),
             parameters: columns(parameters),
             objectives: columns(objectives),
@@ -101,7 +93,7 @@ impl StudyRecord {
             messages: rows.values().map(|row| word(row, "message")).collect(),
             seconds: rows.values().map(|row| number(row.get("seconds"))).collect(),
             text: about.text,
-        })
+        }))
     }
 
     /// Number of cases with an outcome.
@@ -135,6 +127,20 @@ impl StudyRecord {
     pub fn varying(&self) -> Vec<&RecordedColumn> {
         self.parameters.iter().filter(|column| column.varies()).collect()
     }
+}
+
+/// Returns the newest of the tables, and the other parts of the same study if it is a part.
+fn newest(mut files: Vec<PathBuf>) -> Option<(PathBuf, Vec<PathBuf>)> {
+    let time = |path: &PathBuf| fs::metadata(path).and_then(|about| about.modified()).ok();
+    let index = (0..files.len()).max_by_key(|&k| time(&files[k]))?;
+    let first = files.swap_remove(index);
+    let parts = |path: &Path| {
+        let name = path.file_stem().unwrap_or_default().to_string_lossy();
+        name.rsplit_once("-of-").map(|(_, count)| count.to_owned())
+    };
+    let count = parts(&first);
+    files.retain(|path| count.is_some() && parts(path) == count);
+    Some((first, files))
 }
 
 /// Metadata and columns of a table.
@@ -203,5 +209,62 @@ fn word(row: &BTreeMap<String, Field>, name: &str) -> String {
     match row.get(name) {
         Some(Field::Str(text)) => text.clone(),
         _ => String::new(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::time::{Duration, SystemTime};
+
+    use super::*;
+    use crate::cases::CaseRow;
+    use crate::statement::Objectives;
+    use crate::table::StudyTable;
+
+    /// Writes a table with one row at an age in seconds.
+    fn write(folder: &Path, name: &str, text: &str, case: usize, age: u64) {
+        let row = CaseRow {
+            outcome: CaseOutcome::Finished,
+            message: None,
+            objectives: Vec::new(),
+            steps: None,
+            iterations: None,
+            seconds: age as f64,
+        };
+        let path = folder.join(name);
+        let objectives = Objectives::new();
+        let table = StudyTable { axes: &[], objectives: &objectives, text };
+        table.write(&path, &[(case, "key", &row)]).unwrap();
+        let time = SystemTime::now() - Duration::from_secs(age);
+        File::options().append(true).open(&path).unwrap().set_modified(time).unwrap();
+    }
+
+    fn ages(folder: &Path) -> Vec<(i64, f64)> {
+        let record = StudyRecord::read(folder).unwrap().unwrap();
+        record.cases.into_iter().zip(record.seconds).collect()
+    }
+
+    #[test]
+    fn a_folder_without_table_has_no_study() {
+        let folder = tempfile::TempDir::new().unwrap();
+        assert!(StudyRecord::read(folder.path()).unwrap().is_none());
+        assert!(StudyRecord::read(&folder.path().join("none")).unwrap().is_none());
+    }
+
+    #[test]
+    fn tables_of_an_earlier_state_of_the_study_are_omitted() {
+        let folder = tempfile::TempDir::new().unwrap();
+        let folder = folder.path();
+        write(folder, "cases-1-of-2.parquet", "old", 0, 50);
+        write(folder, "cases-2-of-2.parquet", "old", 1, 40);
+        assert_eq!(ages(folder), [(0, 50.0), (1, 40.0)]);
+        write(folder, "cases.parquet", "new", 0, 30);
+        assert_eq!(ages(folder), [(0, 30.0)]);
+        write(folder, "cases-2-of-2.parquet", "new", 1, 20);
+        assert_eq!(ages(folder), [(1, 20.0)]);
+        write(folder, "cases-1-of-3.parquet", "new", 0, 10);
+        assert_eq!(ages(folder), [(0, 10.0)]);
+        write(folder, "cases-3-of-3.parquet", "new", 2, 5);
+        assert_eq!(ages(folder), [(0, 10.0), (2, 5.0)]);
     }
 }

@@ -32,20 +32,40 @@ pub fn sensitivity(parameters: &[&RecordedColumn], objective: &RecordedColumn) -
         return None;
     }
     let values = |column: &RecordedColumn| kept.iter().map(|&k| column.numbers[k]).collect::<Vec<_>>();
-    let y = standardised(&values(objective))?;
     let columns: Vec<Vec<f64>> = parameters.iter().map(|column| values(column)).collect();
-    let x = columns.iter().map(|column| standardised(column)).collect::<Option<Vec<_>>>()?;
-    let x = DMatrix::from_fn(n, count, |row, column| x[column][row]);
-    let coefficients = x.clone().svd(true, true).solve(&y, 1e-12).ok()?;
-    let residual = &y - &x * &coefficients;
-    let ranks_of_y = standardised(&ranks(&values(objective)))?;
+    let fit = linear_fit(&columns, &values(objective))?;
     let one = |k: usize| ParameterSensitivity {
         name: parameters[k].name.clone(),
-        regression: coefficients[k],
-        rank: standardised(&ranks(&columns[k])).map_or(f64::NAN, |ranks| ranks.dot(&ranks_of_y)),
+        regression: fit.coefficients[k],
+        rank: fit.ranks[k],
     };
-    Some(Sensitivity {
-        parameters: (0..count).map(one).collect(),
+    Some(Sensitivity { parameters: (0..count).map(one).collect(), explained: fit.explained })
+}
+
+/// Linear regression of values y on columns of numbers x, and rank correlations.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LinearFit {
+    /// Standardised coefficients.
+    pub coefficients: Vec<f64>,
+    /// Rank correlations of each column with the values (Spearman 1904).
+    pub ranks: Vec<f64>,
+    /// Fraction of the variance of y that the regression explains.
+    pub explained: f64,
+}
+
+/// Fits finite values by columns of the same length. `None` if the values or a column are constant.
+pub fn linear_fit(columns: &[Vec<f64>], values: &[f64]) -> Option<LinearFit> {
+    let y = standardised(values)?;
+    let x = columns.iter().map(|column| standardised(column)).collect::<Option<Vec<_>>>()?;
+    let x = DMatrix::from_fn(y.len(), columns.len(), |row, column| x[column][row]);
+    let coefficients = x.clone().svd(true, true).solve(&y, 1e-12).ok()?;
+    let residual = &y - &x * &coefficients;
+    let ranks_of_y = standardised(&ranks(values))?;
+    let rank =
+        |column: &Vec<f64>| standardised(&ranks(column)).map_or(f64::NAN, |ranks| ranks.dot(&ranks_of_y));
+    Some(LinearFit {
+        coefficients: coefficients.iter().copied().collect(),
+        ranks: columns.iter().map(rank).collect(),
         explained: 1.0 - residual.norm_squared() / y.norm_squared(),
     })
 }

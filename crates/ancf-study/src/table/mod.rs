@@ -1,13 +1,17 @@
 //! Results of a study: rows in memory and in Parquet files.
 
 mod error;
+mod files;
 mod parameter_type;
+mod range;
 mod read;
 mod results;
 mod write;
 
 pub use error::{StudyError, TableError};
+pub use files::table_files;
 pub use parameter_type::ParameterType;
+pub use range::ObjectiveRange;
 pub use read::read_rows;
-pub use results::{ObjectiveRange, StudyOutcome, StudyResults};
+pub use results::{StudyOutcome, StudyResults};
 pub use write::StudyTable;

@@ -1,14 +1,14 @@
 //! Reading of the tables of earlier runs.
 
 use std::collections::HashMap;
-use std::fs::{self, File};
-use std::io;
+use std::fs::File;
 use std::path::Path;
 
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::record::Field;
 
 use super::error::{StudyError, TableError};
+use super::files::table_files;
 use crate::cases::{CaseOutcome, CaseRow};
 use crate::statement::Objectives;
 
@@ -19,18 +19,9 @@ use crate::statement::Objectives;
 /// # Errors
 /// If the folder or a table cannot be read.
 pub fn read_rows(folder: &Path, objectives: &Objectives) -> Result<HashMap<String, CaseRow>, StudyError> {
-    let unreadable = |source| StudyError::File { action: "read", path: folder.to_owned(), source };
     let mut rows = HashMap::new();
-    let entries = match fs::read_dir(folder) {
-        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(rows),
-        entries => entries.map_err(unreadable)?,
-    };
-    for entry in entries {
-        let path = entry.map_err(unreadable)?.path();
-        let name = path.file_name().unwrap_or_default().to_string_lossy();
-        if name.starts_with("cases") && name.ends_with(".parquet") {
-            read(&path, objectives, &mut rows).map_err(|source| StudyError::Table { path, source })?;
-        }
+    for path in table_files(folder)? {
+        read(&path, objectives, &mut rows).map_err(|source| StudyError::Table { path, source })?;
     }
     Ok(rows)
 }

@@ -4,9 +4,8 @@ use std::collections::{BTreeMap, HashMap};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-use serde::Serialize;
-
 use super::error::StudyError;
+use super::range::ObjectiveRange;
 use super::write::StudyTable;
 use crate::cases::{CaseDesign, CaseOutcome, CaseRow};
 use crate::statement::Objectives;
@@ -25,17 +24,6 @@ pub enum StudyOutcome {
     Failed,
     /// The study was interrupted.
     Stopped,
-}
-
-/// Smallest, mean and largest value of an objective; `None` if no case has it.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct ObjectiveRange {
-    /// Smallest value.
-    pub least: Option<f64>,
-    /// Mean.
-    pub mean: Option<f64>,
-    /// Largest value.
-    pub largest: Option<f64>,
 }
 
 /// Rows of the cases, and the file that keeps them.
@@ -169,11 +157,8 @@ impl StudyResults {
 
     /// Returns the range of an objective, by its index in the order of the names.
     pub fn range(&self, objective: usize) -> ObjectiveRange {
-        let values: Vec<f64> =
-            self.rows.values().filter_map(|row| row.objectives.get(objective).copied().flatten()).collect();
-        let bound = |better: fn(f64, f64) -> f64| values.iter().copied().reduce(better);
-        let mean = (!values.is_empty()).then(|| values.iter().sum::<f64>() / values.len() as f64);
-        ObjectiveRange { least: bound(f64::min), mean, largest: bound(f64::max) }
+        let values = self.rows.values().filter_map(|row| row.objectives.get(objective).copied().flatten());
+        ObjectiveRange::of(values)
     }
 
     /// Returns the outcome of the study.

@@ -60,7 +60,7 @@ fn the_observer_is_called_after_each_case() {
     let results = run.results();
     assert_eq!((results.outcome(), results.count(CaseOutcome::Finished)), (StudyOutcome::Finished, 6));
     assert!(results.path().is_file());
-    let ObjectiveRange { least, mean, largest } = results.range(0);
+    let ObjectiveRange { least, mean, largest, .. } = results.range(0);
     assert!(least < mean && mean < largest && largest < Some(0.0));
 }
 

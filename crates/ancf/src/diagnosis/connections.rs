@@ -6,6 +6,7 @@ use crate::model::{IndexedModel, Load, Model};
 /// Bodies and the ground as a graph, with the joints as edges.
 pub(super) struct Connections<'a> {
     model: &'a Model,
+    indexed: IndexedModel<'a>,
     /// Neighbours of each body, and last those of the ground.
     neighbours: Vec<Vec<usize>>,
     /// Group of connected bodies of each body and of the ground.
@@ -27,7 +28,7 @@ impl<'a> Connections<'a> {
             }
         }
         let groups = groups(&neighbours);
-        Self { model, neighbours, groups }
+        Self { model, indexed, neighbours, groups }
     }
 
     /// Names of the bodies without joints.
@@ -56,7 +57,6 @@ impl<'a> Connections<'a> {
         if analysis.dynamics().is_none() || *gravity == [0.0; 3] {
             return None;
         }
-        let indexed = IndexedModel::new(self.model);
         let mut is_intended = vec![false; self.groups.len()];
         let mut intend = |body: usize| is_intended[self.groups[body]] = true;
         intend(bodies.len());
@@ -65,7 +65,7 @@ impl<'a> Connections<'a> {
         for load in loads.iter().map(Load::kind) {
             // Other loads, such as flows, act on any body.
             let body = load.on().map(|on| on.body.as_str()).or_else(|| load.along().map(|part| part.body))?;
-            indexed.body_number(body).iter().copied().for_each(&mut intend);
+            self.indexed.body_number(body).iter().copied().for_each(&mut intend);
         }
         let falling = self.names(|body| !is_intended[self.groups[body]]);
         let (bodies, they) = match falling.as_slice() {

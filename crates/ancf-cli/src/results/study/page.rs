@@ -4,7 +4,7 @@ use std::path::Path;
 
 use ancf::errors::short;
 use ancf_paper::{HtmlPage, PageSection, figure};
-use ancf_study::{CaseOutcome, RecordedColumn, StudyRecord, convergence, sensitivity};
+use ancf_study::{CaseOutcome, ObjectiveRange, RecordedColumn, StudyRecord, convergence, sensitivity};
 use maud::{Markup, html};
 
 use super::figures::{dependence, error_over_size, histogram};
@@ -83,18 +83,11 @@ fn time(seconds: f64) -> String {
     format!("{seconds:.3}")
 }
 
-/// Least, mean, largest value and sample standard deviation.
+/// Least, mean, largest value and standard deviation.
 fn statistics(column: &RecordedColumn) -> [String; 4] {
-    let values: Vec<f64> = column.numbers.iter().copied().filter(|x| x.is_finite()).collect();
-    if values.is_empty() {
-        return ["-"; 4].map(str::to_owned);
-    }
-    let mean = values.iter().sum::<f64>() / values.len() as f64;
-    let squares: f64 = values.iter().map(|x| (x - mean).powi(2)).sum();
-    let least = values.iter().copied().fold(f64::INFINITY, f64::min);
-    let largest = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    let deviation = (values.len() > 1).then(|| (squares / (values.len() - 1) as f64).sqrt());
-    [short(least), short(mean), short(largest), deviation.map_or_else(|| "-".to_owned(), short)]
+    let ObjectiveRange { least, mean, largest, deviation } =
+        ObjectiveRange::of(column.numbers.iter().copied());
+    [least, mean, largest, deviation].map(|x| x.map_or_else(|| "-".to_owned(), short))
 }
 
 /// Observed orders, if only one numeric parameter varies.

@@ -6,12 +6,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ancf._ancf import linear_fit
+
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     import pandas as pd
-
-    from ancf.record.columns import Array
 
 
 def sensitivity(rows: pd.DataFrame, parameters: Sequence[str], objective: str) -> pd.DataFrame:
@@ -34,7 +34,6 @@ def sensitivity(rows: pd.DataFrame, parameters: Sequence[str], objective: str) -
 
     """
     import pandas as pd
-    from scipy.stats import rankdata
 
     rows = rows[np.isfinite(rows[objective])]
     kinds = pd.api.types
@@ -49,25 +48,14 @@ def sensitivity(rows: pd.DataFrame, parameters: Sequence[str], objective: str) -
         msg = f"{len(rows)} cases with {len(names)} varying numeric parameters determine no sensitivity"
         raise ValueError(msg)
     x, y = rows[names].to_numpy(dtype=float), rows[objective].to_numpy(dtype=float)
-    slopes, r2 = regression(x, y)
-    ranks = [
-        float(np.corrcoef(rankdata(column), rankdata(y))[0, 1]) if np.ptp(y) else np.nan for column in x.T
-    ]
-    positive = (x > 0).all(axis=0)
-    exponents = np.full(len(names), np.nan)
-    if positive.all() and (y * np.sign(y[0]) > 0).all():
-        exponents, _ = regression(np.log(x), np.log(np.abs(y)))
-    scale = x.std(axis=0) / y.std() if np.ptp(y) else np.nan
-    columns = {"regression": slopes * scale, "rank": ranks, "elasticity": exponents}
+    unknown = [np.nan] * len(names)
+    slopes, ranks, r2 = linear_fit(x.T, y) or (unknown, unknown, np.nan)
+    exponents = np.array(unknown)
+    if (x > 0).all() and (y * np.sign(y[0]) > 0).all():
+        log_x, log_y = np.log(x), np.log(np.abs(y))
+        coefficients, _, _ = linear_fit(log_x.T, log_y) or ([0.0] * len(names), unknown, np.nan)
+        exponents = np.array(coefficients) * log_y.std() / log_x.std(axis=0)
+    columns = {"regression": slopes, "rank": ranks, "elasticity": exponents}
     table: pd.DataFrame = pd.DataFrame(columns, index=pd.Index(names, name="parameter"))
     table.attrs["r2"] = r2
     return table
-
-
-def regression(x: Array, y: Array) -> tuple[Array, float]:
-    """Return the slopes of the linear regression of y on x, and the explained fraction of the variance."""
-    deviations, offsets = x - x.mean(axis=0), y - y.mean()
-    widths = deviations.std(axis=0)
-    slopes, *_ = np.linalg.lstsq(deviations / widths, offsets, rcond=None)
-    rest = offsets - deviations / widths @ slopes
-    return slopes / widths, float(1 - (rest @ rest) / (offsets @ offsets)) if np.ptp(y) else np.nan

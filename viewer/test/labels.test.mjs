@@ -13,7 +13,6 @@ before(async () => {
 });
 after(() => close(browser));
 
-
 /** Visible labels with their rectangles, and the rectangles of the elements over the 3-D view. */
 const labelLayout = (tab) =>
   tab.evaluate(() => {

@@ -18,6 +18,7 @@
 //! use ancf::record::Series;
 //! use ancf::{Model, Simulation};
 //! use ancf_report::{BUDGET, Ending, Recording, Snapshot, page, scene};
+//! use ancf_surface::BodySurfaces;
 //!
 //! let text = r#"
 //!     bodies = [{ kind = "mass", name = "stone", center = [0, 0, 10], mass = 1 }]
@@ -39,6 +40,7 @@
 //!     summary: vec![("steps".into(), summary.steps.to_string())],
 //!     ending: Ending::new(&summary.outcome, &model.analysis),
 //!     messages: Vec::new(),
+//!     surfaces: &BodySurfaces::default(),
 //!     body_errors: Vec::new(),
 //!     live: false,
 //! };

@@ -7,6 +7,7 @@
 //! | `states.parquet` | coordinates, velocities, accelerations and multipliers at some instants |
 //! | `probes.csv` | columns as text |
 //! | `summary.json` | outcome and counts of the run, written at its end |
+//! | `display` | surfaces of rigid bodies that contain meshes of files |
 //! | `checkpoint` | state from which the run can be resumed |
 //!
 //! During the run, rows are stored in `results.parquet.parts/` and `states.parquet.parts/`. Each part is a Parquet file with a

@@ -2,7 +2,7 @@
 
 import { bodyRadius } from "../scene/geometry";
 import type { Body, Scene } from "../scene/scene";
-import { box, cap, isPolygon, type MeshTemplate, sphere, tube } from "./templates";
+import { box, cap, isPolygon, type MeshTemplate, sphere, triangles, tube } from "./templates";
 
 /** Numbers per instance: station, body, radius, scale factors at the start (3) and at the end (3). */
 export const STRIDE = 9;
@@ -71,7 +71,8 @@ export function bodyBatches(scene: Scene): InstanceBatch[] {
   const lists = new InstanceLists();
   scene.bodies.forEach((body, number) => {
     if (body.count === 0) return;
-    if (body.box || body.outline.length === 0) addRigid(lists, body, number, DEFAULT_SIZE * scene.size);
+    if (body.surface) addSurface(lists, body, number);
+    else if (body.box || body.outline.length === 0) addRigid(lists, body, number, DEFAULT_SIZE * scene.size);
     else addSwept(lists, body, number, step);
   });
   return lists.batches();
@@ -83,6 +84,14 @@ function addRigid(lists: InstanceLists, body: Body, number: number, fallback: nu
   const half = body.box && !round ? body.box : new Array(3).fill(body.box?.[0] || fallback);
   const list = lists.get(round ? "sphere" : "box", round ? sphere : box);
   list.add(body.first, number, bodyRadius(body) || fallback, half, half);
+}
+
+/** Adds the triangles of a body. */
+function addSurface(lists: InstanceLists, body: Body, number: number): void {
+  const { surface } = body;
+  if (!surface) return;
+  const list = lists.get(`surface ${number}`, () => triangles(surface));
+  list.add(body.first, number, bodyRadius(body), [1, 1, 1], [1, 1, 1]);
 }
 
 /** Adds the walls and caps of a body with a section. */

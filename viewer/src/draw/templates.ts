@@ -1,5 +1,7 @@
 // Mesh templates in section coordinates: tube walls, end caps, boxes and spheres.
 
+import type { Body } from "../scene/scene";
+
 /** Mesh in section coordinates (along d1, d2, d3) that is drawn once per instance. */
 export interface MeshTemplate {
   local: number[];
@@ -85,6 +87,18 @@ export function cap(outline: number[][], inner: number[][] | null, side: number)
     for (let i = 0; i < n; i++) template.index.push(i, (i + 1) % n, n);
   }
   return template;
+}
+
+/** Triangles of a rigid body, without edges. */
+export function triangles(surface: NonNullable<Body["surface"]>): MeshTemplate {
+  const count = surface.points.length / 3;
+  return {
+    local: Array.from(surface.points),
+    normal: Array.from(surface.normals, (n) => n / 32767),
+    end: new Array(count).fill(0),
+    face: new Array(2 * count).fill(0),
+    index: Array.from(surface.corners),
+  };
 }
 
 /** Box with half edges of length one. */

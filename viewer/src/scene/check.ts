@@ -35,5 +35,12 @@ export function checkArrays(scene: Scene): void {
       throw damaged(`the stations of the body ${body.name} are missing`);
     }
     if (body.scale) checkLength(body.scale, 2 * body.count, `scale of ${body.name}`);
+    if (body.surface) {
+      const { points, normals, corners } = body.surface;
+      checkLength(normals, points.length, `surface of ${body.name}`);
+      if (!corners.every((corner) => 3 * corner < points.length)) {
+        throw damaged(`the surface of ${body.name} lacks points`);
+      }
+    }
   }
 }

@@ -1,6 +1,6 @@
 // Geometry of bodies in the reference configuration.
 
-import type { Body, Scene } from "./scene";
+import type { Body, Scene, Vector } from "./scene";
 
 export function distance(a: ArrayLike<number>, b: ArrayLike<number>): number {
   return Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
@@ -14,6 +14,17 @@ export function arcLength(scene: Scene, body: Body, index: number): number {
     sum += distance(centres.subarray(3 * i, 3 * i + 3), centres.subarray(3 * i + 3, 3 * i + 6));
   }
   return sum;
+}
+
+/** Smallest and largest coordinates of the surface of a rigid body along its directors. */
+export function surfaceBox(body: Body): [Vector, Vector] {
+  const low: Vector = [Infinity, Infinity, Infinity];
+  const high: Vector = [-Infinity, -Infinity, -Infinity];
+  body.surface?.points.forEach((x, i) => {
+    low[i % 3] = Math.min(low[i % 3], x);
+    high[i % 3] = Math.max(high[i % 3], x);
+  });
+  return [low, high];
 }
 
 /** Largest distance from the centre line to the outline of the section, or from the centre to the box corners. */

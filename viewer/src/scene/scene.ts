@@ -14,6 +14,8 @@ export interface Body {
   scale: Numbers | null;
   nodes: number[];
   box: Vector | null;
+  /** Triangles of a rigid body, in components along its directors from its centre. Normals are times 32767. */
+  surface?: { points: Numbers; normals: Numbers; corners: Numbers } | null;
 }
 
 export interface Field {

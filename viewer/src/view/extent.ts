@@ -1,8 +1,8 @@
 // Points that the camera frames: bodies, obstacles, symbols and arrows in all frames.
 
-import { bodyRadius } from "../scene/geometry";
+import { bodyRadius, surfaceBox } from "../scene/geometry";
 import { largestReactions } from "../scene/reactions";
-import { isModal, type Obstacle, type Scene, type Vector } from "../scene/scene";
+import { type Body, isModal, type Obstacle, type Scene, type Vector } from "../scene/scene";
 
 /** Number of cells of the filter along each axis. */
 const CELLS = 48;
@@ -88,6 +88,10 @@ function forEachPoint(
   const { centres, reference, stations, frames } = scene;
   for (const factor of factors(scene, deformation)) {
     for (const body of scene.bodies) {
+      if (body.surface) {
+        forEachCorner(scene, body, factor, add);
+        continue;
+      }
       const scales = body.scale ? Math.max(...body.scale) : 1;
       const radius = bodyRadius(body) * Math.max(1, scales);
       for (let f = 0; f < frames.count; f++) {
@@ -106,6 +110,32 @@ function forEachPoint(
   }
   for (const { ends } of scene.links) {
     for (let i = 0; i + 2 < ends.length; i += 3) add(ends[i], ends[i + 1], ends[i + 2], 0);
+  }
+}
+
+/** Calls `add` for the corners of the box around the surface of a rigid body in all frames. */
+function forEachCorner(
+  scene: Scene,
+  body: Body,
+  factor: number,
+  add: (x: number, y: number, z: number, radius: number) => void,
+): void {
+  const { centres, directors, reference, stations, frames } = scene;
+  const [low, high] = surfaceBox(body);
+  for (let f = 0; f < frames.count; f++) {
+    const [c, d] = [3 * (f * stations + body.first), 9 * (f * stations + body.first)];
+    const [rc, rd] = [3 * body.first, 9 * body.first];
+    const scaled = (now: number, rest: number) => rest + factor * (now - rest);
+    for (let corner = 0; corner < 8; corner++) {
+      const arm = [0, 1, 2].map((k) => ((corner >> k) & 1 ? high : low)[k] / 32767);
+      const at = (k: number) =>
+        scaled(centres[c + k], reference.centres[rc + k]) +
+        arm.reduce(
+          (sum, x, j) => sum + x * scaled(directors[d + 3 * j + k], reference.directors[rd + 3 * j + k]),
+          0,
+        );
+      add(at(0), at(1), at(2), 0);
+    }
   }
 }
 

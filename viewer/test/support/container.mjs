@@ -17,6 +17,7 @@ export const f32 = (numbers) => new ArrayData("f32", numbers);
 export const f64 = (numbers) => new ArrayData("f64", numbers);
 export const i16 = (numbers) => new ArrayData("i16", numbers);
 export const u16 = (numbers) => new ArrayData("u16", numbers);
+export const u32 = (numbers) => new ArrayData("u32", numbers);
 
 /** Container of a header whose arrays are of type `ArrayData`. */
 export function pack(scene) {

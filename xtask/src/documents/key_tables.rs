@@ -18,7 +18,7 @@ const START: &str = "<!-- keys: ";
 const END: &str = "<!-- end -->";
 
 /// Descriptions of definitions: definition, text of the link, page in `docs/model-file` with its section.
-const LINKS: [(&str, &str, &str); 24] = [
+const LINKS: [(&str, &str, &str); 25] = [
     ("ContactSurface", "obstacle", "contacts.md#obstacles"),
     ("Analysis", "analysis", "analysis.md"),
     ("AngularDrive", "drive", "drives.md"),
@@ -27,6 +27,7 @@ const LINKS: [(&str, &str, &str); 24] = [
     ("Body", "body", "bodies.md"),
     ("Contact", "contact", "contacts.md"),
     ("Coupling", "coupling", "drives.md#couplings"),
+    ("DisplayShape", "display shape", "bodies.md#display-shapes"),
     ("Formulation", "formulation", "bodies.md#formulations"),
     ("InitialMotion", "initial motion", "bodies.md#initial-motion"),
     ("Joint", "joint", "joints.md"),

@@ -53,11 +53,15 @@ const DRIVES: [&str; 7] = [
 ];
 
 /// Names of classes that differ from the word of their form: definition, word or first required key, name.
-const CLASSES: [(&str, &str, &str); 23] = [
+const CLASSES: [(&str, &str, &str); 27] = [
     ("Analysis", "path", "EquilibriumPath"),
     ("Body", "mass", "PointMass"),
     ("Body", "rigid", "RigidBody"),
     ("ContactSurface", "bodies", "MutualContact"),
+    ("DisplayShape", "box", "DisplayBox"),
+    ("DisplayShape", "cylinder", "DisplayCylinder"),
+    ("DisplayShape", "mesh", "DisplayMesh"),
+    ("DisplayShape", "sphere", "DisplaySphere"),
     ("Joint", "drive", "PrescribedMotion"),
     ("Joint", "slide", "SlidingJoint"),
     ("Load", "external", "ExternalForce"),

@@ -10,6 +10,7 @@ use ancf::model::ModelErrors;
 use clap::Args;
 use serde::Serialize;
 
+use super::display::surfaces_of;
 use crate::terminal::{
     Ended, JsonErrors, print, print_error, print_json, print_model_errors, print_status, reject,
 };
@@ -138,7 +139,11 @@ impl Checked {
         } else {
             (file.display().to_string(), Model::read_text(file))
         };
-        let result = read.as_ref().map_err(Clone::clone).and_then(|text| Model::parse(text)?.diagnose());
+        let result = read.as_ref().map_err(Clone::clone).and_then(|text| {
+            let model = Model::parse(text)?;
+            surfaces_of(&model, text, file)?;
+            model.diagnose()
+        });
         Self { name, text: read.unwrap_or_default(), result }
     }
 

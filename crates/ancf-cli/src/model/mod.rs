@@ -1,11 +1,13 @@
 //! Commands about model files: `ancf new`, `check`, `scaled`, `schema`.
 
 mod check;
+mod display;
 mod new;
 mod scaled;
 mod schema;
 
 pub use check::{CHECK_EXAMPLES, CheckArguments};
+pub use display::surfaces_of;
 pub use new::{NEW_EXAMPLES, NewArguments};
 pub use scaled::{SCALED_EXAMPLES, ScaledArguments};
 pub use schema::{SCHEMA_EXAMPLES, print_schema};

@@ -7,11 +7,12 @@ use std::path::PathBuf;
 use ancf_report::Snapshot;
 use ancf_report::paraview::{FrameSelection, Writer};
 use ancf_results::Results;
+use ancf_surface::BodySurfaces;
 use anyhow::Result;
 use clap::Args;
 
 use super::run_folder::{open_run, recording, title};
-use crate::terminal::{Ended, print, print_status, reject};
+use crate::terminal::{Ended, print, print_error, print_status, reject};
 
 /// Arguments of `ancf paraview`.
 #[derive(Debug, Args)]
@@ -69,7 +70,9 @@ impl ParaviewArguments {
 
     fn write(&self, results: &Results, picked: &BTreeSet<usize>) -> Result<Ended> {
         let (title, series) = (title(results), results.columns()?);
-        let recording = recording(results, &title, &series);
+        let (surfaces, missing) = BodySurfaces::of_run(results.model(), results.folder().path());
+        missing.iter().for_each(|message| print_error(&format!("warning: {message}")));
+        let recording = recording(results, &title, &series, &surfaces);
         let output = self.output.clone().unwrap_or_else(|| self.folder.join("paraview"));
         let mut writer = Writer::new(&recording, &output)?;
         // A run in progress may have added frames since they were counted.

@@ -6,6 +6,7 @@ use std::path::Path;
 use ancf::record::Series;
 use ancf_report::{Ending, Recording};
 use ancf_results::{OpenError, Results};
+use ancf_surface::BodySurfaces;
 use anyhow::Result;
 
 use crate::terminal::{Ended, print_status, refuse, reject};
@@ -44,12 +45,18 @@ pub fn title(results: &Results) -> Cow<'_, str> {
 }
 
 /// Returns a recording with the columns of a run, without frames, summary and outcome.
-pub fn recording<'a>(results: &'a Results, title: &'a str, series: &'a Series) -> Recording<'a> {
+pub fn recording<'a>(
+    results: &'a Results,
+    title: &'a str,
+    series: &'a Series,
+    surfaces: &'a BodySurfaces,
+) -> Recording<'a> {
     Recording {
         simulation: results.simulation(),
         model: results.model(),
         text: results.text(),
         title,
+        surfaces,
         frames: Vec::new(),
         series,
         summary: Vec::new(),

@@ -2,6 +2,7 @@
 
 use ancf_report::{Ending, Recording, Snapshot, scene, summary_rows, summary_warnings};
 use ancf_results::{KILLED, Results, RunStatus, SummaryFile};
+use ancf_surface::BodySurfaces;
 use anyhow::Result;
 
 use super::run_folder::{recording, title};
@@ -33,6 +34,8 @@ pub fn scene_of(results: &Results, live: bool, budget: usize) -> Result<Vec<u8>>
     if output.states > 0 && frames.is_empty() {
         messages.push("There are no states on the disk.".to_owned());
     }
+    let (surfaces, missing) = BodySurfaces::of_run(results.model(), results.folder().path());
+    messages.extend(missing);
     let title = title(results);
     let run = Recording {
         frames,
@@ -41,7 +44,7 @@ pub fn scene_of(results: &Results, live: bool, budget: usize) -> Result<Vec<u8>>
         ending,
         messages,
         live: live && status == RunStatus::Running,
-        ..recording(results, &title, &series)
+        ..recording(results, &title, &series, &surfaces)
     };
     Ok(scene(&run, budget))
 }

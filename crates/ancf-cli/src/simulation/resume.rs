@@ -5,6 +5,7 @@ use std::path::PathBuf;
 
 use ancf::Simulation;
 use ancf_results::{CheckpointError, CheckpointInterval, Recorder};
+use ancf_surface::BodySurfaces;
 use anyhow::Result;
 use clap::Args;
 
@@ -65,7 +66,8 @@ impl ResumeArguments {
                 print_status("no checkpoint found: starting from the beginning");
                 let name = folder.model().display().to_string();
                 let recorder = Recorder::new(folder, &name, text, model, &simulation);
-                let recorder = recorder.with_checkpoints(self.checkpoint);
+                let (surfaces, _) = BodySurfaces::of_run(model, &self.folder);
+                let recorder = recorder.with_checkpoints(self.checkpoint).with_display(surfaces.files()?);
                 record(model, recorder, |observer| Ok(simulation.run(observer)?))
             }
         }

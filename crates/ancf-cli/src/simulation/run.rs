@@ -13,6 +13,7 @@ use clap::Args;
 use super::model_text::{with_elements, with_errors};
 use super::recording::{checkpoint_interval, record};
 use super::refine::{Refined, refine, wanted_error};
+use crate::model::surfaces_of;
 use crate::results::{REPORT, write_report};
 use crate::terminal::{Ended, interrupt, print_error, refuse, reject};
 
@@ -96,18 +97,20 @@ impl RunArguments {
         let read = Model::read_text(&self.file).and_then(|text| {
             let mut model = Model::parse(&text)?;
             model.output.errors |= self.errors;
+            let surfaces = surfaces_of(&model, &text, &self.file)?;
             let simulation = Simulation::new(&model)?;
-            Ok((text, model, simulation))
+            Ok((text, model, simulation, surfaces))
         });
-        let (text, model, simulation) = match read {
+        let (text, model, simulation, surfaces) = match read {
             Ok(read) => read,
             Err(errors) => return Ok(refuse(&errors, &self.file)),
         };
         let text = if self.errors { with_errors(&text)? } else { text };
-        let name = self.file.display().to_string();
+        let (name, display) = (self.file.display().to_string(), surfaces.files()?);
         let recorder = |text: &str, model: &Model, simulation: &Simulation| {
             Recorder::new(Folder::new(folder), &name, text, model, simulation)
                 .with_checkpoints(self.checkpoint)
+                .with_display(display.clone())
         };
         let Some(requested) = self.to else {
             let simulation = simulation.with_interrupt(interrupt()?);

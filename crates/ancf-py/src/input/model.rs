@@ -1,13 +1,13 @@
 //! Functions of models.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use ancf::model::ModelErrors;
 use ancf::schema::schema_text;
 use ancf::{Model, Scales};
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
-use toml::Value;
+use toml::{Table, Value};
 
 use super::data::{DataReader, read_table, to_python, to_python_with};
 use super::errors::{model_error, value_error};
@@ -24,7 +24,22 @@ pub(crate) fn read(py: Python<'_>, path: PathBuf) -> PyResult<Bound<'_, PyAny>> 
     let file = path.display().to_string();
     Model::read(&path).map_err(|errors| model_error(py, &errors, Some(&file)))?;
     let text = std::fs::read_to_string(&path)?;
-    to_python(py, &Value::Table(text.parse().map_err(|error: toml::de::Error| value_error(error))?))
+    let mut data = text.parse().map_err(|error: toml::de::Error| value_error(error))?;
+    resolve_files(&mut data, &std::path::absolute(&path)?);
+    to_python(py, &Value::Table(data))
+}
+
+/// Replaces paths of mesh files relative to a model file by absolute ones, because the data do not know the file.
+fn resolve_files(data: &mut Table, path: &Path) {
+    let bodies = data.get_mut("bodies").and_then(Value::as_array_mut).into_iter().flatten();
+    for body in bodies {
+        let shapes = body.get_mut("display").and_then(Value::as_array_mut).into_iter().flatten();
+        for file in shapes.filter_map(|shape| shape.get_mut("file")) {
+            if let Value::String(name) = file {
+                *name = path.with_file_name(&*name).display().to_string();
+            }
+        }
+    }
 }
 
 /// Sets the value of a path in the data of a model. Returns the data and the paths that were set.

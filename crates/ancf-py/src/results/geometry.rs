@@ -8,6 +8,7 @@ use ancf::units::Dimension;
 use ancf::{Model, Simulation};
 use ancf_report::geometry::{self, ARM, Geometry, Link, Outline, Symbols};
 use ancf_report::shape_factor;
+use ancf_surface::Triangles;
 use numpy::{PyArray1, PyArray2, PyArray3, PyArrayMethods};
 use pyo3::exceptions::{PyKeyError, PyValueError};
 use pyo3::prelude::*;
@@ -23,6 +24,9 @@ type EdgesAndAxes<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray2<f64>>);
 
 /// Points of outlines, points of bores, edges.
 type OutlineArrays<'py, A> = (Bound<'py, A>, Option<Bound<'py, A>>, Bound<'py, PyArray2<i64>>);
+
+/// Points and corners of triangles.
+type SurfaceArrays<'py> = (Bound<'py, PyArray2<f64>>, Bound<'py, PyArray2<i64>>);
 
 /// Names, kinds, positions of symbols or ends of links.
 type Placed<'py, A> = (Vec<String>, Vec<&'static str>, Bound<'py, A>);
@@ -104,6 +108,18 @@ impl ModelGeometry {
         Ok((flat(py, &outer).reshape(shape)?, inner, edges(py, first)?))
     }
 
+    /// Returns the surface of a rigid body in its own axes: points `[point, 3]` and the corners of triangles `[triangle, 3]`.
+    /// Points at creases occur once for each side. `None` if it is drawn by its inertia.
+    fn surface<'py>(&self, py: Python<'py>, body: &str) -> PyResult<Option<SurfaceArrays<'py>>> {
+        let Some(surface) = self.surface_of(body).map(Triangles::shaded) else { return Ok(None) };
+        let corners: Vec<i64> = surface.corners.iter().flatten().map(|&corner| i64::from(corner)).collect();
+        let points = PyArray1::from_slice(py, surface.points.as_flattened());
+        Ok(Some((
+            points.reshape([surface.points.len(), 3])?,
+            PyArray1::from_vec(py, corners).reshape([surface.corners.len(), 3])?,
+        )))
+    }
+
     /// Returns the arms of a rigid body in its own axes, `[arm, 3]`.
     fn arms<'py>(&self, py: Python<'py>, body: &str) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let offsets: Vec<[f64; 3]> =
@@ -116,7 +132,8 @@ impl ModelGeometry {
         let state = self.states.get().state(frame, true)?;
         py.detach(|| {
             let (assembly, scales) = (self.simulation.assembly(), self.simulation.scales());
-            let geometry = Geometry::new(&self.model, assembly, scales, PARTS, size);
+            let geometry =
+                Geometry::new(&self.model, assembly, scales, &self.states.get().surfaces, PARTS, size);
             Ok(shape_factor(&geometry, &state, size) / self.shape_unit())
         })
     }
@@ -167,6 +184,11 @@ impl ModelGeometry {
     fn shape_unit(&self) -> f64 {
         let scales = self.simulation.scales();
         scales.unit(Dimension::VELOCITY) / scales.unit(Dimension::LENGTH)
+    }
+
+    fn surface_of(&self, name: &str) -> Option<&Triangles> {
+        let number = self.model.bodies.iter().position(|body| body.name() == name)?;
+        self.states.get().surfaces.get(number).map(Arc::as_ref)
     }
 
     fn body(&self, name: &str) -> PyResult<&Body> {

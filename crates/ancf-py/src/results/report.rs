@@ -46,6 +46,7 @@ pub(crate) fn report(
             frames: states.all()?.into_iter().zip(values).map(snapshot).collect(),
             series: &series,
             summary: text_of_summary.rows,
+            surfaces: &states.surfaces,
             body_errors: text_of_summary.body_errors,
             ending: text_of_summary.ending,
             messages: text_of_summary.messages,

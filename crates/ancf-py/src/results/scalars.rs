@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use ancf_report::fields::{ScalarField, ScalarFields};
 use ancf_report::geometry::Geometry;
+use ancf_surface::BodySurfaces;
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
 use pyo3::exceptions::PyMemoryError;
 use pyo3::prelude::*;
@@ -32,7 +33,7 @@ pub(crate) fn scalar_fields<'py>(
     let signals = Signals::default();
     let (fields, stations) = py.detach(|| {
         let (assembly, scales) = (simulation.assembly(), simulation.scales());
-        let geometry = Geometry::new(&model, assembly, scales, parts, 1.0);
+        let geometry = Geometry::new(&model, assembly, scales, &BodySurfaces::default(), parts, 1.0);
         let reference = geometry.place(&assembly.rest());
         let mut fields = ScalarFields::new(&model, assembly, scales, &geometry, &[]);
         states.each(&frames, |s| {

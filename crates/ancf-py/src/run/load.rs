@@ -1,10 +1,12 @@
 //! Results in a results folder.
 
+use std::ffi::CString;
 use std::io;
 use std::path::PathBuf;
 
 use ancf::record::Series;
 use ancf_results::{KILLED, OpenError, Results, RunStatus};
+use ancf_surface::BodySurfaces;
 use numpy::PyArray1;
 use pyo3::exceptions::{PyFileNotFoundError, PyMemoryError, PyUserWarning};
 use pyo3::prelude::*;
@@ -32,7 +34,11 @@ pub(crate) fn load(py: Python<'_>, path: PathBuf) -> PyResult<Bound<'_, PyDict>>
     let recorded = py.detach(|| RecordedRun::read(&results));
     let RecordedRun { frames, values, rows, columns, numbers } = recorded.map_err(fail)?;
     let data: Table = results.text().parse().map_err(|error: toml::de::Error| value_error(error))?;
-    let simulation = Simulation::new(&to_python(py, &Value::Table(data))?)?;
+    let (surfaces, messages) = BodySurfaces::of_run(results.model(), results.folder().path());
+    for message in messages {
+        PyErr::warn(py, &py.get_type::<PyUserWarning>(), &CString::new(message)?, 1)?;
+    }
+    let simulation = Simulation::with_surfaces(&to_python(py, &Value::Table(data))?, |_| Ok(surfaces))?;
     let done = PyDict::new(py);
     done.set_item("kind", simulation.analysis().0)?;
     done.set_item("summary", to_python(py, &summary(&results, status).map_err(fail)?)?)?;
@@ -41,7 +47,7 @@ pub(crate) fn load(py: Python<'_>, path: PathBuf) -> PyResult<Bound<'_, PyDict>>
     done.set_item("columns", columns)?;
     done.set_item("frames", PyArray1::from_vec(py, values))?;
     done.set_item("frame_rows", PyArray1::from_vec(py, rows))?;
-    let states = States::new(&simulation.simulation, simulation.model.clone_ref(py), frames);
+    let states = States::new(&simulation.assembled, simulation.model.clone_ref(py), frames);
     done.set_item("states", states.with_text(Some(results.text().to_owned())))?;
     done.set_item("model", simulation.model)?;
     Ok(done)

@@ -1,5 +1,8 @@
 //! States from a pickle.
 
+use std::path::Path;
+
+use ancf_surface::BodySurfaces;
 use numpy::PyReadonlyArray1;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -18,13 +21,16 @@ pub(crate) fn states(
     at: PyReadonlyArray1<'_, f64>,
     numbers: PyReadonlyArray1<'_, f64>,
 ) -> PyResult<States> {
-    let simulation = Simulation::new(&model)?;
+    // Another machine may lack the mesh files.
+    let simulation = Simulation::with_surfaces(&model, |model| {
+        Ok(BodySurfaces::read(model, Path::new("")).unwrap_or_default())
+    })?;
     let at = at.as_slice()?.as_chunks().0.to_vec();
     let frames = Frames { keep: Keep::from_word(keep)?, at, numbers: numbers.as_slice()?.to_vec() };
-    let rest = simulation.simulation.assembly().rest();
+    let rest = simulation.assembled.simulation.assembly().rest();
     let expected = Frames::width(frames.keep, &rest).saturating_mul(frames.len());
     if frames.numbers.len() != expected {
         return Err(PyValueError::new_err("these states are not of this model"));
     }
-    Ok(States::new(&simulation.simulation, model.unbind(), frames).with_text(text))
+    Ok(States::new(&simulation.assembled, model.unbind(), frames).with_text(text))
 }

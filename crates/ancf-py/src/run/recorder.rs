@@ -3,11 +3,10 @@
 use std::collections::TryReserveError;
 use std::io;
 use std::ops::ControlFlow;
-use std::sync::Arc;
 use std::time::{Duration, Instant};
 
+use ancf::Observer;
 use ancf::solver::equations::State;
-use ancf::{Observer, Simulation};
 use numpy::PyArray1;
 use pyo3::exceptions::PyMemoryError;
 use pyo3::prelude::*;
@@ -15,12 +14,12 @@ use pyo3::types::PyList;
 
 use super::frames::Frames;
 use super::keep::Keep;
-use super::states::States;
+use super::states::{AssembledModel, States};
 use crate::input::Signals;
 
 /// Simulation of a run with its settings.
 pub(crate) struct RecordedSimulation {
-    pub(crate) simulation: Arc<Simulation>,
+    pub(crate) assembled: AssembledModel,
     /// Model as plain data.
     pub(crate) model: Py<PyAny>,
     pub(crate) signals: Signals,
@@ -84,7 +83,7 @@ impl RunRecorder {
             let mut frames = Frames::new(Keep::All);
             frames.push(state).map_err(|_| PyMemoryError::new_err("no memory for a state"))?;
             wants_end |= Python::attach(|py| {
-                let states = States::new(&self.of.simulation, self.of.model.clone_ref(py), frames);
+                let states = States::new(&self.of.assembled, self.of.model.clone_ref(py), frames);
                 callback.call1(py, (&self.names, PyArray1::from_slice(py, row), states))?.is_truthy(py)
             })?;
         }

@@ -2,10 +2,12 @@
 
 use std::collections::BTreeMap;
 use std::io;
+use std::path::Path;
 use std::sync::Arc;
 
 use ancf::model::{Analysis, Units};
-use ancf::{Column, Summary};
+use ancf::{Column, Model, Summary};
+use ancf_surface::BodySurfaces;
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
 use pyo3::exceptions::{PyMemoryError, PyValueError};
 use pyo3::prelude::*;
@@ -14,8 +16,8 @@ use toml::Value;
 
 use super::keep::Keep;
 use super::recorder::{RecordedSimulation, RunRecorder};
-use super::states::States;
-use crate::input::{DataReader, Signals, to_python, to_python_with, valid_model};
+use super::states::{AssembledModel, States};
+use crate::input::{DataReader, Signals, model_error, to_python, to_python_with, valid_model};
 
 /// Message about rows and states that do not fit into memory.
 const RUN_MEMORY: &str =
@@ -25,7 +27,7 @@ const RUN_MEMORY: &str =
 #[pyclass(frozen, module = "ancf._ancf")]
 #[derive(Debug)]
 pub(crate) struct Simulation {
-    pub(crate) simulation: Arc<ancf::Simulation>,
+    pub(crate) assembled: AssembledModel,
     /// Model as plain data with callables.
     #[pyo3(get)]
     pub(crate) model: Py<PyAny>,
@@ -38,21 +40,15 @@ pub(crate) struct Simulation {
 
 #[pymethods]
 impl Simulation {
-    /// Checks and assembles the model of data.
+    /// Checks and assembles the model of data. Mesh files are relative to the current folder.
     #[new]
-    pub(crate) fn new(data: &Bound<'_, PyAny>) -> PyResult<Self> {
+    fn new(data: &Bound<'_, PyAny>) -> PyResult<Self> {
         let py = data.py();
-        let mut reader = DataReader::default();
-        let value = reader.model(data)?;
-        let (model, signals) = (valid_model(py, &value)?, Signals::default());
-        let data = to_python_with(py, &value, &reader.callables)?.unbind();
-        let (model, simulation) = reader.callables.with(py, model, &signals, ancf::Simulation::new)?;
-        let simulation = Arc::new(simulation.with_interrupt(signals.interrupt()));
-        let units = model.units.as_ref().map(|units| column_units(units, &simulation)).unwrap_or_default();
-        let every = model.output.every;
-        Ok(Self { simulation, model: data, analysis: model.analysis, units, every, signals })
+        Self::with_surfaces(data, |model| {
+            let surfaces = py.detach(|| BodySurfaces::read(model, Path::new("")));
+            surfaces.map_err(|errors| model_error(py, &errors, None))
+        })
     }
-
     /// Kind of the analysis, and the duration of a motion.
     #[getter]
     pub(crate) fn analysis(&self) -> (&'static str, Option<f64>) {
@@ -67,7 +63,7 @@ impl Simulation {
 
     /// Returns the names of the columns.
     fn columns(&self, py: Python<'_>) -> Vec<String> {
-        py.detach(|| self.simulation.columns().into_iter().map(|column| column.name).collect())
+        py.detach(|| self.assembled.simulation.columns().into_iter().map(|column| column.name).collect())
     }
 
     /// Runs the simulation and returns the results in a dictionary.
@@ -83,7 +79,7 @@ impl Simulation {
         let keep = Keep::from_word(states)?;
         self.signals.begin(stop);
         let mut recorder = RunRecorder::new(self.recorded(py), keep, [callback, tick]);
-        let summary = py.detach(|| self.simulation.run(&mut recorder));
+        let summary = py.detach(|| self.assembled.simulation.run(&mut recorder));
         let summary = summary.map_err(|error| match error.kind() {
             io::ErrorKind::OutOfMemory => PyMemoryError::new_err(RUN_MEMORY),
             _ => error.into(),
@@ -96,16 +92,35 @@ impl Simulation {
         results.set_item("rows", rows_to_array(py, rows, columns.len())?)?;
         results.set_item("columns", columns)?;
         results.set_item("units", &self.units)?;
-        results.set_item("states", States::new(&self.simulation, self.model.clone_ref(py), frames))?;
+        results.set_item("states", States::new(&self.assembled, self.model.clone_ref(py), frames))?;
         Ok(results)
     }
 }
 
 impl Simulation {
+    /// Checks and assembles the model of data, with the surfaces of its rigid bodies.
+    pub(crate) fn with_surfaces(
+        data: &Bound<'_, PyAny>,
+        surfaces: impl FnOnce(&Model) -> PyResult<BodySurfaces>,
+    ) -> PyResult<Self> {
+        let py = data.py();
+        let mut reader = DataReader::default();
+        let value = reader.model(data)?;
+        let (model, signals) = (valid_model(py, &value)?, Signals::default());
+        let surfaces = Arc::new(surfaces(&model)?);
+        let data = to_python_with(py, &value, &reader.callables)?.unbind();
+        let (model, simulation) = reader.callables.with(py, model, &signals, ancf::Simulation::new)?;
+        let simulation = Arc::new(simulation.with_interrupt(signals.interrupt()));
+        let units = model.units.as_ref().map(|units| column_units(units, &simulation)).unwrap_or_default();
+        let every = model.output.every;
+        let assembled = AssembledModel { simulation, surfaces };
+        Ok(Self { assembled, model: data, analysis: model.analysis, units, every, signals })
+    }
+
     /// Returns the parts that the recorder of a run needs.
     fn recorded(&self, py: Python<'_>) -> RecordedSimulation {
         RecordedSimulation {
-            simulation: Arc::clone(&self.simulation),
+            assembled: self.assembled.clone(),
             model: self.model.clone_ref(py),
             signals: self.signals.clone(),
             every: self.every.max(1),

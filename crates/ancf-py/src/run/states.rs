@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use ancf::solver::equations::State;
 use ancf::{Fields, Simulation};
+use ancf_surface::BodySurfaces;
 use numpy::{PyArray1, PyArray3, PyArrayMethods};
 use pyo3::exceptions::{PyIndexError, PyMemoryError, PyValueError};
 use pyo3::prelude::*;
@@ -13,11 +14,20 @@ use super::keep::Keep;
 use super::station_quantity::StationQuantity;
 use crate::input::Signals;
 
+/// Simulation of a model, and the surfaces of its rigid bodies.
+#[derive(Clone, Debug)]
+pub(crate) struct AssembledModel {
+    pub(crate) simulation: Arc<Simulation>,
+    pub(crate) surfaces: Arc<BodySurfaces>,
+}
+
 /// States of a run, from which fields are computed.
 #[pyclass(frozen, module = "ancf._ancf")]
 #[derive(Debug)]
 pub(crate) struct States {
     pub(crate) simulation: Arc<Simulation>,
+    /// Surfaces of the rigid bodies.
+    pub(crate) surfaces: Arc<BodySurfaces>,
     /// Model as plain data, from which another process creates the same simulation.
     pub(crate) model: Py<PyAny>,
     /// Text of the model file, if known.
@@ -39,8 +49,9 @@ pub(crate) fn checked_parts(parts: i64) -> PyResult<u32> {
 }
 
 impl States {
-    pub(crate) fn new(simulation: &Arc<Simulation>, model: Py<PyAny>, frames: Frames) -> Self {
-        Self { simulation: Arc::clone(simulation), model, text: None, frames }
+    pub(crate) fn new(of: &AssembledModel, model: Py<PyAny>, frames: Frames) -> Self {
+        let AssembledModel { simulation, surfaces } = of.clone();
+        Self { simulation, surfaces, model, text: None, frames }
     }
 
     /// Sets the text of the model file.

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pickle
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -115,7 +116,9 @@ def test_points_have_arc_lengths_and_the_chosen_quantity() -> None:
 
 
 def test_arms_reach_joints_at_all_angles() -> None:
-    run = result("slider_crank")
+    model = ancf.Model.read(MODELS / "slider_crank.toml").to_dict()
+    del model["bodies"][0]["display"]
+    run = ancf.run(model)
     for row in (0, 11, 40):
         mesh = run.scene(row)
         crank = mesh.extract_cells(mesh["body"] == 0)
@@ -123,6 +126,60 @@ def test_arms_reach_joints_at_all_angles() -> None:
         # The end of the arm is a disc about the pin with the radius of the arm.
         nearest = np.linalg.norm(crank.points - pin, axis=1).min()
         assert nearest == pytest.approx(0.008 * 0.45, rel=1e-2)
+
+
+def test_display_shapes_turn_with_their_body() -> None:
+    run = result("slider_crank")
+    for row in (0, 11, 40):
+        mesh = run.scene(row)
+        crank = mesh.extract_cells(mesh["body"] == 0).points
+        # The pin has the radius 0.016, the counterweight 0.05; there are no arms.
+        at_pin = np.linalg.norm(crank - run.probe("pin").position[row], axis=1)
+        assert at_pin.min() == pytest.approx(np.hypot(0.016, 0.014), rel=1e-2)
+        angle = 150 * run.time[row]
+        counterweight = -0.05 * np.array([np.cos(angle), np.sin(angle)])
+        own = np.linalg.norm(crank[:, :2] - counterweight, axis=1)
+        assert np.isclose(own, 0.05, rtol=1e-4).sum() > 90
+
+
+def tetrahedron(path: Path) -> float:
+    """Write a binary STL file of a tetrahedron with unit edges along the axes, and return its volume."""
+    corners = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], dtype="<f4")
+    faces = np.array([[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+    record = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
+    triangles = np.zeros(4, dtype=record)
+    triangles["corners"] = corners[faces]
+    path.write_bytes(bytes(80) + np.uint32(4).tobytes() + triangles.tobytes())
+    return 1 / 6
+
+
+def falling(display: list[dict[str, Any]]) -> dict[str, Any]:
+    """A falling body with display shapes."""
+    body = {"kind": "rigid", "name": "part", "center": [1, 2, 3], "mass": 1.0, "inertia": [1, 1, 1]}
+    scheme = {"spectral_radius": 0.8}
+    analysis = {"kind": "dynamics", "duration": 0.1, "step": 0.05, "scheme": scheme}
+    return {"gravity": [0, 0, -10], "bodies": [body | {"display": display}], "analysis": analysis}
+
+
+@pytest.mark.filterwarnings("ignore::ancf.AnalysisWarning")
+def test_meshes_of_files_are_drawn(tmp_path: Path) -> None:
+    expected = tetrahedron(tmp_path / "part.stl")
+    mesh_file = ancf.DisplayMesh(file=str(tmp_path / "part.stl"), scale=2, origin=[1, 2, 3])
+    run = ancf.run(falling([mesh_file.to_dict()]))
+    for row in (0, 2):
+        mesh = run.scene(row)
+        assert volume(mesh) == pytest.approx(8 * expected, rel=1e-6)
+        np.testing.assert_allclose(mesh.points.min(axis=0), run.field("position")[row, 0], atol=1e-6)
+    # A model file states the path relative to its folder.
+    model = falling([{"kind": "mesh", "file": "part.stl"}])
+    path = tmp_path / "falling.toml"
+    path.write_text(ancf.Model.from_dict(model).to_toml())
+    assert volume(ancf.run(path).scene(0)) == pytest.approx(expected, rel=1e-6)
+    with pytest.raises(ancf.ModelError, match=r"display\[0\]\.file: found no file nowhere\.stl"):
+        ancf.run(falling([{"kind": "mesh", "file": "nowhere.stl"}]))
+    # Another process may lack the file.
+    (tmp_path / "part.stl").unlink()
+    assert pickle.loads(pickle.dumps(run)).scene(0).n_points == 24
 
 
 def test_positions_of_obstacles() -> None:

@@ -1,9 +1,11 @@
 use std::ops::Range;
+use std::sync::Arc;
 
 use ancf::Model;
 use ancf::model::Body;
+use ancf_surface::Triangles;
 
-use super::inertia_box::{BOX_EDGE, POINT_MASS_RADIUS, inertia_box};
+use super::inertia_box::{BOX_EDGE, inertia_box, point_mass_radius};
 use super::outline::{Outline, SIDES, outline_at};
 
 /// Kind of a body.
@@ -55,7 +57,10 @@ pub struct BodyShape {
     pub scale: Option<Vec<[f64; 2]>>,
     /// Stations at nodes of the mesh, counted from the first station of the body.
     pub nodes: Vec<usize>,
-    /// Half of the edges of the box of a rigid body along its three directors, or three times the radius of a point mass.
+    /// Surface of a rigid body, in components along its directors from its centre.
+    pub surface: Option<Arc<Triangles>>,
+    /// Half of the edges of the box of a rigid body along its three directors, which contains its surface, or three times the
+    /// radius of a point mass.
     pub half_edges: Option<[f64; 3]>,
     /// Principal axes of a rigid body, as components along its directors.
     pub axes: [[f64; 3]; 3],
@@ -66,13 +71,24 @@ const GLOBAL: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]
 
 impl BodyShape {
     /// Shape of a body of a model in the user's units, with `parts` stations per element and the `size` of the model.
-    pub(crate) fn new(model: &Model, body: &Body, stations: Range<usize>, parts: usize, size: f64) -> Self {
+    pub(crate) fn new(
+        model: &Model,
+        body: &Body,
+        surface: Option<Arc<Triangles>>,
+        stations: Range<usize>,
+        parts: usize,
+        size: f64,
+    ) -> Self {
+        let bounds = surface.as_ref().and_then(|surface| surface.bounds());
         let (half_edges, axes) = match body {
+            Body::Rigid(_) if let Some([low, high]) = bounds => {
+                (Some([0, 1, 2].map(|k| high[k].max(-low[k]))), GLOBAL)
+            }
             Body::Rigid(rigid) => {
                 let drawn = inertia_box(rigid, BOX_EDGE * size);
                 (Some(drawn.edges.map(|edge| 0.5 * edge)), drawn.axes)
             }
-            Body::Mass(_) => (Some([POINT_MASS_RADIUS * size; 3]), GLOBAL),
+            Body::Mass(mass) => (Some([point_mass_radius(mass, size); 3]), GLOBAL),
             Body::Beam(_) | Body::Cable(_) => (None, GLOBAL),
         };
         let outline = outline_at(model, body, 0.0, SIDES);
@@ -84,6 +100,7 @@ impl BodyShape {
             scale: outline.as_ref().and_then(|outline| taper(model, body, outline, count)),
             outline,
             nodes: nodes(body, parts, count),
+            surface,
             half_edges,
             axes,
         }

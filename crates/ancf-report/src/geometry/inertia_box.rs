@@ -1,9 +1,9 @@
-use ancf::model::Rigid;
+use ancf::model::{PointMass, Rigid};
 use nalgebra::Matrix3;
 
 /// Maximum edge of the box drawn for a rigid body, relative to the size of the model.
 pub const BOX_EDGE: f64 = 0.12;
-/// Radius of the sphere drawn for a point mass, relative to the size of the model.
+/// Radius of the sphere drawn for a point mass without contact surface, relative to the size of the model.
 pub const POINT_MASS_RADIUS: f64 = 0.02;
 /// Minimum ratio of the shortest to the longest edge, which keeps needles and plates visible.
 const MIN_ASPECT: f64 = 0.15;
@@ -15,6 +15,12 @@ pub struct InertiaBox {
     pub edges: [f64; 3],
     /// Principal axes as unit vectors in the axes of the body, a right-handed triad.
     pub axes: [[f64; 3]; 3],
+}
+
+/// Radius of the sphere drawn for a point mass in a model of some size: that of its contact surface, if it has one.
+pub fn point_mass_radius(mass: &PointMass, size: f64) -> f64 {
+    let radius = mass.surface.as_ref().map(|surface| surface.radius);
+    radius.filter(|radius| *radius > 0.0).unwrap_or(POINT_MASS_RADIUS * size)
 }
 
 /// Returns the box with the inertia of a rigid body, shrunk to edges of at most `max_edge`.

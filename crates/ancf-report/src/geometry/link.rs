@@ -3,6 +3,7 @@ use ancf::mechanics::kinematics::{Attachment, BodyVector};
 use ancf::model::Place;
 use ancf::solver::equations::State;
 use ancf::{Model, Simulation};
+use ancf_surface::BodySurfaces;
 use nalgebra::Vector3;
 
 use super::arms::{arm_to, places};
@@ -35,15 +36,15 @@ impl Link {
 
 /// Returns the links of a model that is stated in the user's units.
 pub fn model_links(model: &Model, simulation: &Simulation) -> Vec<Link> {
-    links(Attachments::new(&model.scaled(&simulation.scales()), simulation))
+    links(Attachments::new(&model.scaled(&simulation.scales()), simulation), &BodySurfaces::default())
 }
 
-/// Returns the links of a model: springs, dampers, ropes, rods, bushings, and the arms of rigid bodies.
-pub(crate) fn links(attachments: Attachments<'_>) -> Vec<Link> {
+/// Returns the links of a model: springs, dampers, ropes, rods, bushings, and the arms of rigid bodies without a surface.
+pub(crate) fn links(attachments: Attachments<'_>, surfaces: &BodySurfaces) -> Vec<Link> {
     let mut all = Vec::new();
     for joint in &attachments.model.joints {
         let Some(ends) = attachments.ends(joint) else { continue };
-        let arm = |(place, end): (Option<&Place>, &Attachment)| arm(attachments, place?, end);
+        let arm = |(place, end): (Option<&Place>, &Attachment)| arm(attachments, surfaces, place?, end);
         all.extend(places(joint).into_iter().zip(&ends).filter_map(arm));
         if let JointSymbol::Line(kind) = joint.kind().symbol() {
             all.push(Link::new(joint.name(), kind, ends, attachments.length));
@@ -53,9 +54,17 @@ pub(crate) fn links(attachments: Attachments<'_>) -> Vec<Link> {
 }
 
 /// Link from the centre of a rigid body to the end of a joint elsewhere on it.
-fn arm(attachments: Attachments<'_>, place: &Place, end: &Attachment) -> Option<Link> {
+fn arm(
+    attachments: Attachments<'_>,
+    surfaces: &BodySurfaces,
+    place: &Place,
+    end: &Attachment,
+) -> Option<Link> {
     let (rigid, _) = arm_to(attachments.model, place)?;
     let body = attachments.model.bodies.iter().position(|body| body.name() == place.body)?;
+    if surfaces.get(body).is_some() {
+        return None;
+    }
     let centre = attachments.assembly.body_of(body).attachment(0.0, Vector3::from(rigid.center));
     Some(Link::new(&rigid.name, ARM, [centre, end.clone()], attachments.length))
 }

@@ -2,6 +2,7 @@ use ancf::assembly::Assembly;
 use ancf::solver::equations::State;
 use ancf::units::Scales;
 use ancf::{Field, Fields, Model};
+use ancf_surface::BodySurfaces;
 use nalgebra::Vector3;
 
 use super::body_shape::{BodyKind, BodyShape};
@@ -37,8 +38,15 @@ impl Placement {
 impl<'a> Geometry<'a> {
     /// Geometry of a model in the user's units, with `parts` stations per element.
     ///
-    /// `size` is the size of the model. It determines the size of rigid bodies and point masses.
-    pub fn new(model: &Model, assembly: &'a Assembly, scales: Scales, parts: u32, size: f64) -> Self {
+    /// `size` is the size of the model. It determines the size of point masses and of rigid bodies without `surfaces`.
+    pub fn new(
+        model: &Model,
+        assembly: &'a Assembly,
+        scales: Scales,
+        surfaces: &BodySurfaces,
+        parts: u32,
+        size: f64,
+    ) -> Self {
         let fields = Fields::new(assembly, scales, parts);
         let mut first = 0;
         let bodies = model.bodies.iter().enumerate().map(|(number, body)| {
@@ -46,7 +54,8 @@ impl<'a> Geometry<'a> {
                 fields.stations()[first..].iter().take_while(|station| station.body == number).count();
             let stations = first..first + count;
             first += count;
-            BodyShape::new(model, body, stations, parts as usize, size)
+            let surface = surfaces.get(number).cloned();
+            BodyShape::new(model, body, surface, stations, parts as usize, size)
         });
         let bodies: Vec<_> = bodies.collect();
         let mut geometry = Self { bodies, fields, start: Vec::new() };

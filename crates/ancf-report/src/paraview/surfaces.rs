@@ -1,3 +1,5 @@
+use ancf_surface::Triangles;
+
 use super::grid::Cell;
 use super::mesh::{Mesh, Point};
 use crate::geometry::{BodyKind, BodyShape, Geometry, Outline};
@@ -7,6 +9,10 @@ impl Mesh {
     pub fn surfaces(geometry: &Geometry<'_>) -> Self {
         let mut mesh = Self::default();
         for (number, shape) in geometry.bodies.iter().enumerate() {
+            if let Some(triangles) = &shape.surface {
+                mesh.triangles(number, shape, triangles);
+                continue;
+            }
             match (&shape.outline, shape.half_edges) {
                 (Some(outline), _) => mesh.sweep(number, shape, outline),
                 (None, Some(half)) if shape.kind == BodyKind::PointMass => {
@@ -69,6 +75,15 @@ impl Mesh {
             corners.reverse();
         }
         self.cells.push(Cell::Quad, corners, number);
+    }
+
+    /// Adds the triangles of a body.
+    fn triangles(&mut self, number: usize, shape: &BodyShape, triangles: &Triangles) {
+        let (first, station) = (self.points.len(), shape.stations.start);
+        self.points.extend(triangles.points.iter().map(|&arm| Point { station, arm }));
+        for corners in &triangles.corners {
+            self.cells.push(Cell::Triangle, corners.map(|corner| first + corner as usize), number);
+        }
     }
 
     /// Adds a box around the first station of a body.

@@ -65,7 +65,8 @@ impl<'a> Writer<'a> {
         let (assembly, scales) = (recording.simulation.assembly(), recording.scales());
         let layout = SceneLayout::new(recording, &recording.model.scaled(&scales));
         let (parts, _) = layout.resolution(usize::MAX);
-        let geometry = Geometry::new(recording.model, assembly, scales, parts, layout.size);
+        let geometry =
+            Geometry::new(recording.model, assembly, scales, recording.surfaces, parts, layout.size);
         let initial = assembly.initial();
         let placed = geometry.place(&initial);
         let has_obstacles = !layout.obstacles.is_empty();

@@ -4,6 +4,7 @@ use ancf::record::Series;
 use ancf::solver::equations::State;
 use ancf::units::{Dimension, Scales};
 use ancf::{Model, Outcome, Simulation};
+use ancf_surface::BodySurfaces;
 
 /// Run with its model, states, columns and messages.
 #[derive(Clone, Debug)]
@@ -22,6 +23,8 @@ pub struct Recording<'a> {
     pub series: &'a Series,
     /// Names and values of the summary.
     pub summary: Vec<(String, String)>,
+    /// Surfaces of the rigid bodies.
+    pub surfaces: &'a BodySurfaces,
     /// Contributions of the bodies to the estimated error of the mesh.
     pub body_errors: Vec<BodyError>,
     /// Outcome of the run.

@@ -74,7 +74,7 @@ fn add_bodies(layout: &SceneLayout<'_>, budget: usize, header: &mut Value, blob:
     let recording = layout.recording;
     let (parts, most) = layout.resolution(budget);
     let (assembly, scales) = (recording.simulation.assembly(), recording.scales());
-    let geometry = Geometry::new(recording.model, assembly, scales, parts, layout.size);
+    let geometry = Geometry::new(recording.model, assembly, scales, recording.surfaces, parts, layout.size);
     let mut notes = recording.messages.clone();
     if parts < PARTS && recording.model.bodies.iter().any(ancf::model::Body::is_flexible) {
         notes.push(messages::coarse(parts));

@@ -30,11 +30,13 @@
 //! | `charts` | `{title, group, log, columns: [{name, label, unit, values: f32, errors: f32}]}`; `errors`, estimated ones, may be absent |
 //! | `abscissa` | `{name, unit, values: f64}`, ascending: time, load factor, arc length of the path, number of the mode or row |
 //!
-//! A body is `{name, kind: "beam"|"cable"|"rigid"|"point", first, count, outline: [[y, z, ny, nz], ..], inner, scale, nodes, box}`.
+//! A body is `{name, kind: "beam"|"cable"|"rigid"|"point", first, count, outline: [[y, z, ny, nz], ..], inner, scale, nodes, box, surface}`.
 //! Its stations are `first .. first + count`. Outlines are those of [`Outline`](crate::geometry::Outline); `inner` is the outline
 //! of a bore or null. `scale` (f32 `[count][2]` or null) multiplies y and z of both outlines at each station. `nodes` are the
 //! stations at nodes of the mesh, counted from the first station of all. `box` has half of the edges along the three directors
-//! of a rigid body, or three times the radius of a point mass.
+//! of a rigid body, or three times the radius of a point mass. `surface` is null or
+//! `{points: f32 [n][3], normals: i16 [n][3], corners: u32 [m][3]}`: triangles of a rigid body, in components along its
+//! directors from its centre.
 //!
 //! In modal and buckling analyses, each shape is a frame with a maximum displacement of a tenth of the size, or less if bodies
 //! would cross each other.
@@ -84,6 +86,11 @@ impl Blob {
             }
         };
         self.array("u16", 2, numbers.into_iter().flat_map(|x| integer(x).to_le_bytes()))
+    }
+
+    /// Adds an array of indices and returns its entry in the header.
+    pub fn u32(&mut self, numbers: impl IntoIterator<Item = u32>) -> Value {
+        self.array("u32", 4, numbers.into_iter().flat_map(u32::to_le_bytes))
     }
 
     fn array(&mut self, of: &str, width: usize, bytes: impl Iterator<Item = u8>) -> Value {

@@ -1,6 +1,7 @@
 //! Entries of the header of a scene, with their arrays in the blob.
 
 use ancf::units::Dimension;
+use ancf_surface::Triangles;
 use nalgebra::Vector3;
 use serde_json::{Value, json};
 
@@ -29,7 +30,11 @@ fn max_distance(shape: &BodyShape) -> f64 {
     let outline = shape.outline.as_ref();
     let outline = outline.map_or(0.0, |outline| outline.half_extents[0].hypot(outline.half_extents[1]));
     let scale = shape.scale.iter().flatten().flatten().copied().fold(1.0, f64::max);
-    shape.half_edges.map_or(outline * scale, |[x, y, z]| x.max(y).max(z))
+    match shape.half_edges {
+        Some([x, y, z]) if shape.surface.is_some() => x.hypot(y).hypot(z),
+        Some([x, y, z]) => x.max(y).max(z),
+        None => outline * scale,
+    }
 }
 
 pub(super) fn body(shape: &BodyShape, blob: &mut Blob) -> Value {
@@ -47,6 +52,16 @@ pub(super) fn body(shape: &BodyShape, blob: &mut Blob) -> Value {
         "scale": scale,
         "nodes": nodes,
         "box": shape.half_edges,
+        "surface": shape.surface.as_ref().map(|triangles| surface(triangles, blob)),
+    })
+}
+
+fn surface(triangles: &Triangles, blob: &mut Blob) -> Value {
+    let shaded = triangles.shaded();
+    json!({
+        "points": blob.f32(shaded.points.iter().flatten().copied()),
+        "normals": blob.i16(shaded.normals.into_iter().flatten()),
+        "corners": blob.u32(shaded.corners.into_iter().flatten()),
     })
 }
 

@@ -4,7 +4,8 @@ use nalgebra::Vector3;
 
 use crate::fields::ScalarFields;
 use crate::geometry::{
-    Attachments, Geometry, Link, Obstacle, Symbol, Symbols, bounding_box, links, obstacles,
+    Attachments, BodyShape, Geometry, Link, Obstacle, Placement, Symbol, Symbols, bounding_box, links,
+    obstacles,
 };
 use crate::run::Recording;
 
@@ -29,20 +30,24 @@ impl<'a> SceneLayout<'a> {
     pub fn new(recording: &'a Recording<'a>, scaled: &Model) -> Self {
         let attachments = Attachments::new(scaled, recording.simulation);
         let symbols = Symbols::new(attachments);
-        let (links, obstacles) = (links(attachments), obstacles(attachments));
+        let (links, obstacles) = (links(attachments, recording.surfaces), obstacles(attachments));
         let mut layout = Self { recording, symbols, links, obstacles, size: 1.0 };
         layout.size = layout.extent();
         layout
     }
 
-    /// Diagonal of the box around the reference state, symbols and links included.
+    /// Diagonal of the box around the reference state, symbols, links and surfaces of rigid bodies included.
     fn extent(&self) -> f64 {
         let (assembly, rest) =
             (self.recording.simulation.assembly(), self.recording.simulation.assembly().rest());
-        let geometry = Geometry::new(self.recording.model, assembly, self.recording.scales(), 2, 1.0);
+        let Recording { model, surfaces, .. } = self.recording;
+        let geometry = Geometry::new(model, assembly, self.recording.scales(), surfaces, 2, 1.0);
         let symbols = self.symbols.all.iter().map(Symbol::reference).map(Vector3::from);
         let ends = self.links.iter().flat_map(|link| link.ends(&rest));
-        let [low, high] = bounding_box(geometry.place(&rest).centres.into_iter().chain(symbols).chain(ends));
+        let placed = geometry.place(&rest);
+        let corners = geometry.bodies.iter().flat_map(|shape| surface_corners(shape, &placed));
+        let centres = placed.centres.iter().copied();
+        let [low, high] = bounding_box(centres.chain(symbols).chain(ends).chain(corners));
         let size = (high - low).norm();
         let largest_radius = || self.obstacles.iter().map(|o| o.radius).fold(0.0, f64::max);
         if size > 0.0 && size.is_finite() {
@@ -78,4 +83,11 @@ impl<'a> SceneLayout<'a> {
         let parts = (1..=finest).rev().find(fits).unwrap_or(1);
         (parts, (budget / bytes(parts)).saturating_sub(1).max(2))
     }
+}
+
+/// Opposite corners of the box around the surface of a rigid body, whose directors are the global axes.
+fn surface_corners(shape: &BodyShape, placed: &Placement) -> Vec<Vector3<f64>> {
+    let bounds = shape.surface.as_ref().and_then(|surface| surface.bounds());
+    let centre = placed.centres[shape.stations.start];
+    bounds.map_or_else(Vec::new, |bounds| bounds.map(|corner| centre + Vector3::from(corner)).to_vec())
 }

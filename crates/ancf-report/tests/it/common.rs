@@ -2,13 +2,14 @@
 
 use std::io;
 use std::ops::ControlFlow;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use ancf::model::Units;
 use ancf::record::{Series, Sink};
 use ancf::solver::equations::State;
 use ancf::{Model, Observer, Simulation, Summary};
 use ancf_report::{BUDGET, Ending, Recording, Snapshot, scene};
+use ancf_surface::BodySurfaces;
 use serde_json::Value;
 
 /// Cantilever of length 2 along x with an end force, in statics, E = 2e9, section 20 x 10 mm.
@@ -80,6 +81,7 @@ pub struct Run {
     pub series: Series,
     pub frames: Vec<Snapshot>,
     pub summary: Summary,
+    pub surfaces: BodySurfaces,
 }
 
 impl Run {
@@ -94,7 +96,8 @@ impl Run {
         let mut keeper = StateObserver { every, ..StateObserver::default() };
         let summary = simulation.run(&mut keeper).expect("nothing is written");
         let StateObserver { series, frames, .. } = keeper;
-        Self { model, text: text.to_owned(), simulation, series, frames, summary }
+        let surfaces = BodySurfaces::read(&model, Path::new("")).unwrap_or_else(|errors| panic!("{errors}"));
+        Self { model, text: text.to_owned(), simulation, series, frames, summary, surfaces }
     }
 
     /// Runs a model file up to a maximum duration.
@@ -119,6 +122,7 @@ impl Run {
             summary: vec![("steps".into(), self.summary.steps.to_string())],
             ending: Ending::new(&self.summary.outcome, &self.model.analysis),
             messages: Vec::new(),
+            surfaces: &self.surfaces,
             body_errors: self.summary.body_errors().to_vec(),
             live: false,
         }
@@ -188,6 +192,7 @@ impl Scene {
             "f32" => of(4).map(|x| f64::from(f32::from_le_bytes(x.try_into().unwrap()))).collect(),
             "f64" => of(8).map(|x| f64::from_le_bytes(x.try_into().unwrap())).collect(),
             "i16" => of(2).map(|x| f64::from(i16::from_le_bytes(x.try_into().unwrap()))).collect(),
+            "u32" => of(4).map(|x| f64::from(u32::from_le_bytes(x.try_into().unwrap()))).collect(),
             "u16" => of(2).map(|x| f64::from(u16::from_le_bytes(x.try_into().unwrap()))).collect(),
             other => panic!("unknown type of array: {other}"),
         }

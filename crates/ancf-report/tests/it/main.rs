@@ -11,3 +11,4 @@ mod scene;
 mod server;
 mod shapes;
 mod stresses;
+mod surfaces;

@@ -40,7 +40,8 @@ const FILES: [&str; 15] = [
 ];
 
 /// Folders of a run.
-const FOLDERS: [&str; 6] = [
+const FOLDERS: [&str; 7] = [
+    "display",
     "results.parquet.parts",
     "results.parquet.parts.part",
     "results.parquet.done",

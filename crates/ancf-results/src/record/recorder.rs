@@ -27,6 +27,8 @@ pub struct Recorder {
     text: String,
     selection: Selection,
     interval: Option<CheckpointInterval>,
+    /// Names and contents of the files of display geometry.
+    display: Vec<(String, Vec<u8>)>,
     /// Time of the last flush.
     flushed: Instant,
     /// Time of the last checkpoint.
@@ -83,6 +85,7 @@ impl Recorder {
                 last: None,
             },
             interval: None,
+            display: Vec::new(),
             flushed: now,
             saved: now,
             steps: 0,
@@ -113,6 +116,12 @@ impl Recorder {
     #[must_use]
     pub fn with_checkpoints(self, interval: CheckpointInterval) -> Self {
         Self { interval: Some(interval), ..self }
+    }
+
+    /// Adds files of display geometry, with names in the folder `display`.
+    #[must_use]
+    pub fn with_display(self, files: Vec<(String, Vec<u8>)>) -> Self {
+        Self { display: files, ..self }
     }
 
     /// Name of the model.
@@ -157,6 +166,12 @@ impl Recorder {
         erase_signature(&lock).map_err(|error| with_path(&error, folder.path()))?;
         replace(&folder.model(), self.text.as_bytes())?;
         sign(&mut lock, &self.text).map_err(|error| with_path(&error, folder.path()))?;
+        for (name, contents) in &self.display {
+            let path = folder.path().join(name);
+            let parent = path.parent().unwrap_or(folder.path());
+            fs::create_dir_all(parent).map_err(|error| with_path(&error, parent))?;
+            replace(&path, contents)?;
+        }
         let files = self.spec.create()?;
         self.lock = Some(lock);
         Ok(files)

@@ -3,6 +3,7 @@
 mod bodies;
 mod capabilities;
 mod contacts;
+mod display;
 mod findings;
 mod friction;
 mod joints;

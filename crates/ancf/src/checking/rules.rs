@@ -39,6 +39,7 @@ pub(crate) fn broken_rules(model: &Model) -> Vec<Finding> {
     let of_loads = [
         contacts,
         super::contacts::surfaces,
+        super::display::shapes,
         super::friction::friction,
         super::loads::kinds,
         super::loads::fluids,

@@ -20,8 +20,8 @@ pub use analyses::{
     Scheme, Sense, Start, Statics, Step, Stop, Unstable,
 };
 pub use bodies::{
-    At, Beam, Body, BodySurface, Cable, Capability, Formulation, InitialMotion, NamedPosition, Place,
-    PointMass, Rigid, Shape, Slopes,
+    At, Beam, Body, BodySurface, Cable, Capability, DisplayShape, Formulation, InitialMotion, NamedPosition,
+    Place, PointMass, Rigid, Shape, Slopes,
 };
 pub use contacts::{Contact, ContactSurface, Cylinder, ObstacleKind, Plane, Sphere};
 pub use functions::{TimeFunction, Varying};

@@ -7,5 +7,5 @@ mod substitute;
 mod supply;
 
 pub use part::check_part;
-pub use read::parse_as;
+pub use read::{parse_as, with_places};
 pub use substitute::substitute;

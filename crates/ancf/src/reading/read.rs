@@ -103,6 +103,13 @@ fn parse_checked<T>(
     value.filter(|_| errors.is_empty()).ok_or(ModelErrors(errors))
 }
 
+/// Adds the places in the text of a model file to errors without positions.
+#[must_use]
+pub fn with_places(errors: ModelErrors, text: &str) -> ModelErrors {
+    let document = Document::parse(text);
+    ModelErrors(errors.0.into_iter().map(|error| located(error.into(), &document, text)).collect())
+}
+
 fn located(finding: Finding, document: &Document, text: &str) -> ModelError {
     let bytes = document.find(&finding.error.path, finding.at_key);
     ModelError { at: Some(position(text, bytes)), ..finding.error }

@@ -1,5 +1,6 @@
 //! Output of the program: templates, help, plots, JSON, colours, messages.
 
+mod display;
 mod json;
 mod messages;
 mod plot;

@@ -4,7 +4,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import ClassVar, Literal, TypeAlias
 
@@ -20,6 +20,11 @@ __all__ = [
     "Body",
     "BodySurface",
     "Cable",
+    "DisplayBox",
+    "DisplayCylinder",
+    "DisplayMesh",
+    "DisplayShape",
+    "DisplaySphere",
     "Formulation",
     "Helix",
     "InitialMotion",
@@ -149,6 +154,116 @@ SlopeCoordinates: TypeAlias = Literal["gradient", "length"]
 
 * ``"gradient"``: Gradients, ℓ = 1 (Kim et al. 2017, eq. 2).
 * ``"length"``: Gradients times the element length, ℓ = l (Kim et al. 2017, eq. 10).
+"""
+
+
+@checked_arguments
+@dataclass(kw_only=True, slots=True, eq=False, repr=False)
+class DisplayBox(Part):
+    """Box.
+
+    Attributes
+    ----------
+    edges
+        Lengths of the edges, length; along the global axes without a rotation.
+    center
+        Centre of the box, length; the centre of mass by default.
+    rotation
+        Rotation about the centre of the box, in radians: a vector along the axis with the angle as its
+        length. Default: ``[0.0, 0.0, 0.0]``.
+
+    """
+
+    _form = "DisplayShape"
+    _tag = "kind"
+    kind: ClassVar[Literal["box"]] = "box"
+
+    edges: Vector
+    center: Vector | None = None
+    rotation: Vector | None = None
+
+
+@checked_arguments
+@dataclass(kw_only=True, slots=True, eq=False, repr=False)
+class DisplayCylinder(Part):
+    """Cylinder with flat ends.
+
+    Attributes
+    ----------
+    from_
+        Centre of the first end face, length.
+    to
+        Centre of the second end face, length.
+    radius
+        Radius, length (> 0).
+
+    """
+
+    _form = "DisplayShape"
+    _tag = "kind"
+    kind: ClassVar[Literal["cylinder"]] = "cylinder"
+
+    from_: Vector
+    to: Vector
+    radius: float
+
+
+@checked_arguments
+@dataclass(kw_only=True, slots=True, eq=False, repr=False)
+class DisplaySphere(Part):
+    """Ball.
+
+    Attributes
+    ----------
+    radius
+        Radius, length (> 0).
+    center
+        Centre of the ball, length; the centre of mass by default.
+
+    """
+
+    _form = "DisplayShape"
+    _tag = "kind"
+    kind: ClassVar[Literal["sphere"]] = "sphere"
+
+    radius: float
+    center: Vector | None = None
+
+
+@checked_arguments
+@dataclass(kw_only=True, slots=True, eq=False, repr=False)
+class DisplayMesh(Part):
+    """Triangles of a file.
+
+    Attributes
+    ----------
+    file
+        Path of an STL file (.stl) or a glTF 2.0 file (.gltf, .glb), relative to the folder of the model file.
+    origin
+        Position of the origin of the file, length. Default: ``[0.0, 0.0, 0.0]``.
+    rotation
+        Rotation about the origin of the file, in radians: a vector along the axis with the angle as its
+        length. Default: ``[0.0, 0.0, 0.0]``.
+    scale
+        Length of the unit of the file: 0.001 for millimetres in a model in metres, length; 1 by default (>
+        0).
+
+    """
+
+    _form = "DisplayShape"
+    _tag = "kind"
+    kind: ClassVar[Literal["mesh"]] = "mesh"
+
+    file: str
+    origin: Vector | None = None
+    rotation: Vector | None = None
+    scale: float | None = None
+
+
+DisplayShape: TypeAlias = DisplayBox | DisplayCylinder | DisplaySphere | DisplayMesh
+"""Shape of a rigid body in pictures, in global coordinates of the initial state.
+
+It has no effect on the motion.
 """
 
 
@@ -306,6 +421,8 @@ class RigidBody(Frame):
         Mass, force time²/length (> 0).
     inertia
         Moments of inertia ``[xx, yy, zz]`` about the centre along the global axes at the start, mass length².
+    display
+        Shapes of the body in pictures; by default its contact surface, or a box with its inertia.
     motion
         Initial velocities in dynamics; at rest by default.
     products
@@ -323,6 +440,7 @@ class RigidBody(Frame):
     center: Vector
     mass: float
     inertia: Vector
+    display: Sequence[DisplayShape] | None = None
     motion: InitialMotion | None = None
     products: Vector | None = None
     surface: BodySurface | None = None

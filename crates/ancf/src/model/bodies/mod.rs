@@ -2,6 +2,7 @@
 
 mod body;
 mod capability;
+mod display;
 mod formulation;
 mod motion;
 mod rigid;
@@ -11,6 +12,7 @@ mod surface;
 pub(crate) use body::ON_AXIS;
 pub use body::{At, Beam, Body, Cable, NamedPosition, Place, Slopes};
 pub use capability::Capability;
+pub use display::DisplayShape;
 pub use formulation::Formulation;
 pub use motion::InitialMotion;
 pub use rigid::{PointMass, Rigid};

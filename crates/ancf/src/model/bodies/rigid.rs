@@ -2,6 +2,7 @@ use nalgebra::Matrix3;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::display::DisplayShape;
 use super::motion::InitialMotion;
 use super::surface::BodySurface;
 use crate::units::Scaled;
@@ -30,6 +31,9 @@ pub struct Rigid {
     /// Surface in contacts with obstacles; none by default.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub surface: Option<BodySurface>,
+    /// Shapes of the body in pictures; by default its contact surface, or a box with its inertia.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub display: Vec<DisplayShape>,
     /// Initial velocities in dynamics; at rest by default.
     #[serde(default, skip_serializing_if = "InitialMotion::is_rest")]
     pub motion: InitialMotion,
@@ -40,6 +44,11 @@ impl Rigid {
     pub fn tensor(&self) -> Matrix3<f64> {
         let ([xx, yy, zz], [xy, xz, yz]) = (self.inertia, self.products);
         Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz)
+    }
+
+    /// True if a display shape is the mesh of a file.
+    pub fn has_mesh(&self) -> bool {
+        self.display.iter().any(|shape| matches!(shape, DisplayShape::Mesh { .. }))
     }
 }
 

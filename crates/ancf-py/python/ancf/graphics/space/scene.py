@@ -138,17 +138,26 @@ class Scene:
                 s = self.lines.arc_lengths[stations]
                 outlines = Outlines.of_body(self.geometry, name, s, self.sides).thickened(self._least)
                 yield Surface.swept(number, range(stations.start, stations.stop), outlines)
+            elif (surface := self.geometry.surface(name)) is not None:
+                yield Surface.triangles(number, stations.start, *surface)
             elif data[name]["kind"] == "rigid":
                 edges, axes = _ancf.inertia_box(data[name], _ancf.BOX_EDGE * size)
                 yield Surface.box(number, stations.start, edges, axes)
             else:
-                radius = _ancf.POINT_MASS_RADIUS * size
+                contact = data[name].get("surface", {}).get("radius", 0)
+                radius = contact if contact > 0 else _ancf.POINT_MASS_RADIUS * size
                 yield Surface.sphere(number, stations.start, np.zeros(3), radius, self.sides)
 
     def _arms(self) -> Iterator[Surface]:
-        numbers = {stations.start: number for number, stations in enumerate(self.lines.bodies.values())}
+        """Return the arms of rigid bodies without a surface."""
+        numbers = {
+            stations.start: number
+            for number, (name, stations) in enumerate(self.lines.bodies.items())
+            if self.geometry.surface(name) is None
+        }
         arms, radius = self.lines.arms, ARM_RADIUS * self.lines.size
-        for station, offset in zip(arms.stations, arms.offsets, strict=True):
+        drawn = (arm for arm in zip(arms.stations, arms.offsets, strict=True) if arm[0] in numbers)
+        for station, offset in drawn:
             yield Surface.cylinder(numbers[station], station, np.zeros(3), offset, radius, self.sides)
 
     def _obstacles(self) -> Iterator[Surface]:

@@ -126,6 +126,11 @@ class Surface:
         return cls(np.full(24, station), offsets, [np.arange(24).reshape(6, 4)], body)
 
     @classmethod
+    def triangles(cls, body: int, station: int, points: Array, corners: Numbers) -> Surface:
+        """Return triangles between points fixed to a station. Points at creases occur once for each side."""
+        return cls(np.full(len(points), station), points, [corners], body)
+
+    @classmethod
     def sphere(
         cls, body: int, station: int, center: Array, radius: float, sides: int, *, grey: bool = False
     ) -> Surface:

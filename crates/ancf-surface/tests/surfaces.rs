@@ -1,4 +1,5 @@
 //! Surfaces of models and of mesh files.
+#![cfg(test)]
 
 use std::fs;
 use std::path::Path;

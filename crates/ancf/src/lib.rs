@@ -85,6 +85,7 @@ pub mod loads;
 pub mod model;
 pub mod reading;
 pub mod record;
+mod refine;
 mod results;
 mod scaling;
 pub mod schema;
@@ -96,6 +97,7 @@ pub use ancf_solver as solver;
 pub use errors::{ModelError, ModelErrors};
 pub use model::Model;
 pub use nalgebra;
+pub use refine::{RefinedModel, RefinementHistory, can_refine, refine};
 pub use results::{Column, Field, Fields, Rows, Station};
 pub use simulate::{
     Checkpoint, EigenvalueCount, Error, Extension, Observer, Outcome, ResumeError, Simulation,

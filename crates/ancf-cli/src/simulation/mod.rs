@@ -2,7 +2,7 @@
 
 mod model_text;
 mod recording;
-mod refine;
+mod requested_error;
 mod resume;
 mod run;
 mod run_summary;

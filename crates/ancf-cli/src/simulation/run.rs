@@ -2,9 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use ancf::errors::percentage;
-use ancf::model::Analysis;
-use ancf::{Model, Simulation};
+use ancf::estimate::MeshStep;
+use ancf::{Model, RefinedModel, Simulation, can_refine, refine};
 use ancf_report::BUDGET;
 use ancf_results::{CheckpointInterval, Folder, Recorder};
 use anyhow::Result;
@@ -12,10 +11,10 @@ use clap::Args;
 
 use super::model_text::{with_elements, with_errors};
 use super::recording::{checkpoint_interval, record};
-use super::refine::{Refined, refine, wanted_error};
+use super::requested_error::requested_error;
 use crate::model::surfaces_of;
 use crate::results::{REPORT, write_report};
-use crate::terminal::{Ended, interrupt, print_error, refuse, reject};
+use crate::terminal::{Ended, interrupt, print_error, print_status, refuse, reject};
 
 /// Arguments of `ancf run`.
 #[derive(Debug, Args)]
@@ -29,7 +28,7 @@ pub struct RunArguments {
     #[arg(long, value_name = "EVERY", default_value = "5min", value_parser = checkpoint_interval)]
     checkpoint: CheckpointInterval,
     /// Refine the bodies until the estimated error of the mesh is at most ERROR: 1% or 0.01 (statics, modes, buckling).
-    #[arg(long, value_name = "ERROR", value_parser = wanted_error)]
+    #[arg(long, value_name = "ERROR", value_parser = requested_error)]
     to: Option<f64>,
     /// Estimate the errors of all recorded values, columns `p.x_error` and so on, as `output.errors = true` (dynamics, statics).
     #[arg(long)]
@@ -117,21 +116,17 @@ impl RunArguments {
             let recorder = recorder(&text, &model, &simulation);
             return record(&model, recorder, |observer| Ok(simulation.run(observer)?));
         };
-        if let Analysis::Dynamics(_) | Analysis::Path(_) = model.analysis {
+        if !can_refine(&model.analysis) {
             return Ok(reject(
                 "--to: refines the meshes of statics, modes and buckling; `--errors` states the errors of motions",
             ));
         }
-        let Refined { model, simulation, meshes, reason } =
-            refine(model, simulation, requested, &interrupt()?)?;
+        let on_mesh = |number: usize, mesh: &MeshStep| print_status(&format!("mesh {number}: {mesh}"));
+        let RefinedModel { model, simulation, history } = refine(&model, requested, &interrupt()?, on_mesh)?;
         let text = with_elements(&text, &model)?;
-        let recorder = recorder(&text, &model, &simulation);
-        record(&model, recorder, |observer| {
+        record(&model, recorder(&text, &model, &simulation), |observer| {
             let mut summary = simulation.run(observer)?;
-            summary.meshes = meshes;
-            let more = reason
-                .map(|reason| format!("the error of {} is not reached: {reason}", percentage(requested)));
-            summary.warnings.extend(more);
+            history.add_to(&mut summary);
             Ok(summary)
         })
     }

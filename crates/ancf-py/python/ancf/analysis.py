@@ -57,6 +57,7 @@ def data(model: ModelLike) -> dict[str, Any]:
 def run(
     model: ModelLike,
     *,
+    to: float | None = None,
     callback: Callback | None = None,
     progress: bool | None = None,
     states: Literal["all", "positions", "none"] = "all",
@@ -67,6 +68,10 @@ def run(
     ----------
     model
         An `ancf.Model`, its data in dictionaries, or the path of a model file.
+    to
+        Relative error to which the bodies are refined, such as 0.01: the largest estimated error of a displacement,
+        frequency or load factor. Statics, modes and buckling only. The bodies of the result have the refined meshes,
+        `summary["meshes"]` has the history. An error that cannot be reached is an `AnalysisWarning`.
     callback
         Function called with an `Instant` at the start and after each step, or with `output.interval` at the recorded
         instants. It may observe the run or set the values that functions of loads and drives return next. A true
@@ -93,6 +98,8 @@ def run(
 
     """
     simulation = _ancf.Simulation(data(model))
+    if to is not None:
+        simulation = simulation.refine(to)
     _, duration = simulation.analysis
     observer = None if callback is None else CallbackObserver(callback)
     with Bar(duration, progress) as bar:
@@ -179,12 +186,13 @@ def load(folder: str | os.PathLike[str]) -> Result:
     )
 
 
-def statics(model: ModelLike, **settings: Any) -> Result:
+def statics(model: ModelLike, *, to: float | None = None, **settings: Any) -> Result:
     """Compute the equilibrium of a model; `settings` are the keys of `ancf.Statics`.
 
-    The last row is the equilibrium under all loads. The analysis of the model itself is ignored. Raises as `run` does.
+    The last row is the equilibrium under all loads. The analysis of the model itself is ignored. `to` refines the mesh
+    to a relative error. Raises as `run` does.
     """
-    return _analysed(model, "statics", settings)
+    return _analysed(model, "statics", settings, to)
 
 
 def path(model: ModelLike, **settings: Any) -> Result:
@@ -192,18 +200,24 @@ def path(model: ModelLike, **settings: Any) -> Result:
     return _analysed(model, "path", settings)
 
 
-def modes(model: ModelLike, count: int = 10, **settings: Any) -> Result:
-    """Compute the lowest natural modes: `frequencies` and `shapes`; `settings` are the keys of `ancf.Modes`."""
-    return _analysed(model, "modes", {"count": count, **settings})
+def modes(model: ModelLike, count: int = 10, *, to: float | None = None, **settings: Any) -> Result:
+    """Compute the lowest natural modes: `frequencies` and `shapes`; `settings` are the keys of `ancf.Modes`.
+
+    `to` refines the mesh to a relative error of all frequencies.
+    """
+    return _analysed(model, "modes", {"count": count, **settings}, to)
 
 
-def buckling(model: ModelLike, count: int = 1, **settings: Any) -> Result:
-    """Compute the lowest critical loads: `factors` and `shapes`; `settings` are the keys of `ancf.Buckling`."""
-    return _analysed(model, "buckling", {"count": count, **settings})
+def buckling(model: ModelLike, count: int = 1, *, to: float | None = None, **settings: Any) -> Result:
+    """Compute the lowest critical loads: `factors` and `shapes`; `settings` are the keys of `ancf.Buckling`.
+
+    `to` refines the mesh to a relative error of all factors.
+    """
+    return _analysed(model, "buckling", {"count": count, **settings}, to)
 
 
-def _analysed(model: ModelLike, kind: str, settings: dict[str, Any]) -> Result:
-    return run(data(model) | {"analysis": {"kind": kind, **settings}})
+def _analysed(model: ModelLike, kind: str, settings: dict[str, Any], to: float | None = None) -> Result:
+    return run(data(model) | {"analysis": {"kind": kind, **settings}}, to=to)
 
 
 def check(model: ModelLike) -> str:

@@ -6,12 +6,12 @@ use std::path::Path;
 use std::sync::Arc;
 
 use ancf::model::{Analysis, Units};
-use ancf::{Column, Model, Summary};
+use ancf::{Column, Error, Model, RefinedModel, RefinementHistory, Summary, can_refine, refine};
 use ancf_surface::BodySurfaces;
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
-use pyo3::exceptions::{PyMemoryError, PyValueError};
+use pyo3::exceptions::{PyMemoryError, PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::{PyDict, PyList};
 use toml::Value;
 
 use super::keep::Keep;
@@ -31,10 +31,12 @@ pub(crate) struct Simulation {
     /// Model as plain data with callables.
     #[pyo3(get)]
     pub(crate) model: Py<PyAny>,
-    analysis: Analysis,
+    /// Model with external functions in place of the callables.
+    supplied: Model,
+    /// Refinement whose last mesh this is.
+    history: Option<RefinementHistory>,
     /// Units of the columns by name.
     pub(crate) units: BTreeMap<String, String>,
-    every: u32,
     signals: Signals,
 }
 
@@ -52,7 +54,7 @@ impl Simulation {
     /// Kind of the analysis, and the duration of a motion.
     #[getter]
     pub(crate) fn analysis(&self) -> (&'static str, Option<f64>) {
-        match &self.analysis {
+        match &self.supplied.analysis {
             Analysis::Dynamics(settings) => ("dynamics", Some(settings.duration)),
             Analysis::Statics(_) => ("statics", None),
             Analysis::Path(_) => ("path", None),
@@ -80,13 +82,16 @@ impl Simulation {
         self.signals.begin(stop);
         let mut recorder = RunRecorder::new(self.recorded(py), keep, [callback, tick]);
         let summary = py.detach(|| self.assembled.simulation.run(&mut recorder));
-        let summary = summary.map_err(|error| match error.kind() {
+        let mut summary = summary.map_err(|error| match error.kind() {
             io::ErrorKind::OutOfMemory => PyMemoryError::new_err(RUN_MEMORY),
             _ => error.into(),
         })?;
+        if let Some(history) = &self.history {
+            history.add_to(&mut summary);
+        }
         let results = PyDict::new(py);
         results.set_item("error", self.signals.take())?;
-        results.set_item("failure", summary.outcome.failure(&self.analysis))?;
+        results.set_item("failure", summary.outcome.failure(&self.supplied.analysis))?;
         results.set_item("summary", self.summary(py, &summary)?)?;
         let RunRecorder { columns, rows, frames, .. } = recorder;
         results.set_item("rows", rows_to_array(py, rows, columns.len())?)?;
@@ -95,6 +100,53 @@ impl Simulation {
         results.set_item("states", States::new(&self.assembled, self.model.clone_ref(py), frames))?;
         Ok(results)
     }
+
+    /// Returns the simulation on the mesh that has the requested error, or on the last mesh if the error cannot be reduced.
+    fn refine(&self, py: Python<'_>, requested: f64) -> PyResult<Self> {
+        if !can_refine(&self.supplied.analysis) {
+            return Err(PyValueError::new_err(
+                "to: refines the meshes of statics, modes and buckling; `output.errors` states the errors of motions",
+            ));
+        }
+        if !(1e-9..1.0).contains(&requested) {
+            let found = format!("to: found {requested}, expected a relative error between 1e-9 and 1");
+            return Err(PyValueError::new_err(found));
+        }
+        self.signals.begin(None);
+        let interrupt = self.signals.interrupt();
+        let refined = py.detach(|| refine(&self.supplied, requested, &interrupt, |_, _| ()));
+        if let Some(error) = self.signals.take() {
+            return Err(error);
+        }
+        let RefinedModel { model, simulation, history } = refined.map_err(|error| match error {
+            Error::Model(errors) => model_error(py, &errors, None),
+            error => PyRuntimeError::new_err(error.to_string()),
+        })?;
+        let surfaces = Arc::clone(&self.assembled.surfaces);
+        Ok(Self {
+            assembled: AssembledModel { simulation: Arc::new(simulation), surfaces },
+            model: with_elements(self.model.bind(py), &model)?.unbind(),
+            supplied: model,
+            history: Some(history),
+            units: self.units.clone(),
+            signals: self.signals.clone(),
+        })
+    }
+}
+
+/// Copies the data of a model with the numbers of elements of another one.
+fn with_elements<'py>(data: &Bound<'py, PyAny>, model: &Model) -> PyResult<Bound<'py, PyAny>> {
+    let (py, copy) = (data.py(), data.call_method0("copy")?);
+    let bodies = PyList::empty(py);
+    for (entry, body) in data.get_item("bodies")?.try_iter()?.zip(&model.bodies) {
+        let entry = entry?.call_method0("copy")?;
+        if body.elements() > 0 {
+            entry.set_item("elements", body.elements())?;
+        }
+        bodies.append(entry)?;
+    }
+    copy.set_item("bodies", bodies)?;
+    Ok(copy)
 }
 
 impl Simulation {
@@ -112,9 +164,8 @@ impl Simulation {
         let (model, simulation) = reader.callables.with(py, model, &signals, ancf::Simulation::new)?;
         let simulation = Arc::new(simulation.with_interrupt(signals.interrupt()));
         let units = model.units.as_ref().map(|units| column_units(units, &simulation)).unwrap_or_default();
-        let every = model.output.every;
         let assembled = AssembledModel { simulation, surfaces };
-        Ok(Self { assembled, model: data, analysis: model.analysis, units, every, signals })
+        Ok(Self { assembled, model: data, supplied: model, history: None, units, signals })
     }
 
     /// Returns the parts that the recorder of a run needs.
@@ -123,7 +174,7 @@ impl Simulation {
             assembled: self.assembled.clone(),
             model: self.model.clone_ref(py),
             signals: self.signals.clone(),
-            every: self.every.max(1),
+            every: self.supplied.output.every.max(1),
         }
     }
 

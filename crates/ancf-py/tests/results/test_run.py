@@ -306,6 +306,55 @@ def test_frequencies_have_estimated_errors() -> None:
     assert abs(error) > 1e-4 * exact
 
 
+def test_meshes_are_refined_to_an_error() -> None:
+    """Bernoulli-Euler cantilever: the third frequency has at most the requested error."""
+    steel, wire = ancf.Material(density=7850, young=2e11), ancf.Circle(diameter=0.002)
+    bar = ancf.Cable("bar", from_=[0, 0, 0], to=[1, 0, 0], elements=3, section=wire, material=steel)
+    model = ancf.Model(bodies=[bar], joints=[ancf.Clamp("root", a=bar.start)])
+    result = ancf.modes(model, count=5, to=1e-4)
+    exact = 7.854757438237613**2 * math.sqrt(2e11 / 7850) * 0.0005 / (2 * math.pi)
+    # Both planes have equal frequencies.
+    assert result.frequencies[4] == pytest.approx(exact, rel=2e-4)
+    meshes = result.summary["meshes"]
+    assert [count for mesh in meshes for _, count in mesh["elements"]] == sorted(
+        {count for mesh in meshes for _, count in mesh["elements"]}
+    )
+    assert meshes[0]["elements"] == [["bar", 3]]
+    assert meshes[-1]["error"] <= 1e-4 < meshes[0]["error"]
+    assert result.model["bodies"][0]["elements"] == meshes[-1]["elements"][0][1]
+    assert model.bodies[0].elements == 3
+
+
+def test_refinement_keeps_callables_and_states_its_limits(rod: dict[str, Any]) -> None:
+    with pytest.raises(ValueError, match="to: refines the meshes of statics, modes and buckling"):
+        ancf.run(rod, to=0.01)
+    rod["analysis"] = {"kind": "modes", "count": 1}
+    for wrong in (0, 1, -0.1, math.nan):
+        with pytest.raises(ValueError, match="expected a relative error between"):
+            ancf.run(rod, to=wrong)
+    steel, section = ancf.Material(density=8000, young=2e9, poisson=0.3), ancf.Circle(diameter=0.02)
+    bar = ancf.Beam(
+        "bar",
+        from_=[0, 0, 0],
+        to=[1, 0, 0],
+        elements=2,
+        section=section,
+        material=steel,
+        formulation="continuum",
+    )
+    model = ancf.Model(
+        bodies=[bar],
+        joints=[ancf.Clamp("root", a=bar.start)],
+        loads=[ancf.Force(on=bar.end, force=[0, 0, 1], time=lambda t: 1.0)],
+        probes=[ancf.Probe("tip", on=bar.end)],
+        analysis=ancf.Statics(),
+    )
+    # Poisson locking: no mesh has the requested error.
+    with pytest.warns(ancf.AnalysisWarning, match="the error of 1 % is not reached"):
+        result = ancf.run(model, to=0.01)
+    assert len(result.summary["meshes"]) > 1
+
+
 def test_motions_have_estimated_errors() -> None:
     """Mass on a spring, x = sin 20 t/20: value + error is closer to it by a factor of ten."""
     motion = ancf.InitialMotion(velocity=[1, 0, 0])

@@ -227,6 +227,22 @@ impl<const N: usize, S: Interpolation<N> + Send + Sync> Term for BeamElement<N, 
         add_blocks(&blocks, k);
     }
 
+    fn has_stress_prediction(&self) -> bool {
+        true
+    }
+
+    fn stress_prediction(&self, at: &Local<'_>, from: &Local<'_>, k: &mut LocalMatrix<'_>) {
+        let (now, before) = (vectors::<N>(at.q), vectors::<N>(from.q));
+        let dq = RelativeVectors::new::<S>(&std::array::from_fn(|i| now[i] - before[i]));
+        let mut blocks = [[Matrix3::zeros(); N]; N];
+        for station in &self.profile.stations {
+            if let Some(h) = station.stress_prediction(&station.directors::<S>(&dq)) {
+                station.distribute_stiffness(&h, &mut blocks);
+            }
+        }
+        add_blocks(&blocks, k);
+    }
+
     fn stress_stiffness(&self, at: &Local<'_>, by: &Local<'_>, k: &mut LocalMatrix<'_>) {
         let (q, dq) = (RelativeVectors::new::<S>(&vectors(at.q)), RelativeVectors::new::<S>(&vectors(by.q)));
         let mut blocks = [[Matrix3::zeros(); N]; N];

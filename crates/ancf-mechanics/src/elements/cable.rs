@@ -223,6 +223,24 @@ impl Term for Cable12 {
         add_blocks(&blocks, k);
     }
 
+    fn has_stress_prediction(&self) -> bool {
+        true
+    }
+
+    /// Axial force only: that of bending is small.
+    fn stress_prediction(&self, at: &Local<'_>, from: &Local<'_>, k: &mut LocalMatrix<'_>) {
+        let (profile, now, before) = (&*self.profile, vectors(at.q), vectors(from.q));
+        let mut blocks = [[Matrix3::zeros(); 4]; 4];
+        for station in profile.axial() {
+            let [stretch, start] = [&now, &before].map(|q| self.stretch(station, q));
+            let predicted = start.strain + start.tangent.dot(&(station.first(&now) - station.first(&before)));
+            let excess = profile.section().axial * (stretch.strain - predicted);
+            let h = stretch.stiffness(0.0, -excess) * station.weight;
+            each_pair(|i, j| blocks[i][j] += h * (station.first[i] * station.first[j]));
+        }
+        add_blocks(&blocks, k);
+    }
+
     fn stress_stiffness(&self, at: &Local<'_>, by: &Local<'_>, k: &mut LocalMatrix<'_>) {
         let (profile, q, dq) = (&*self.profile, vectors(at.q), vectors(by.q));
         let (section, mut blocks) = (profile.section(), [[Matrix3::zeros(); 4]; 4]);

@@ -320,6 +320,16 @@ impl<const N: usize> BeamStation<N> {
         h
     }
 
+    /// Computes all blocks of the stress prediction for an increment `du` of the directors; `None` for hyperelastic laws, whose
+    /// strains have no parts of second order that dominate.
+    pub(crate) fn stress_prediction(&self, du: &Directors) -> Option<Stiffness> {
+        let StationLaw::Quadratic(law) = &self.law else { return None };
+        let mut h = NO_STIFFNESS;
+        law.add_stress_prediction(du, &mut h);
+        mirror(&mut h, DIRECTORS);
+        Some(h)
+    }
+
     /// Distributes the forces p of the directors to the vectors.
     pub(crate) fn distribute(&self, p: &Directors, force: &mut [Vector3<f64>; N]) {
         for (force, parts) in force.iter_mut().zip(&self.parts) {

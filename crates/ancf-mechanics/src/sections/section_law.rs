@@ -215,6 +215,12 @@ impl SectionLaw {
         self.add_geometric(&self.resultants(&self.rates(&sum(g0, u), du)), 1.0, h);
     }
 
+    /// Adds −Σ_k n_k ∂²ε_k for the part n of the resultants that is of second order in an increment `du` of the directors.
+    pub fn add_stress_prediction(&self, du: &Directors, h: &mut Stiffness) {
+        let second_order = self.strains(&[Vector3::zeros(); DIRECTORS], du);
+        self.add_geometric(&self.resultants(&second_order), -1.0, h);
+    }
+
     /// Returns the strain energy per length of each section strain. Coupling terms are divided equally.
     pub(crate) fn shares(&self, g0: &Directors, u: &Directors) -> Strains {
         let strains = self.strains(g0, u);

@@ -85,6 +85,12 @@ pub trait EquationsOfMotion {
         self.tangent(step.middle, w.of_middle(), k);
     }
 
+    /// Adds the change of the stiffness at a state if the stresses are those that the linear system at the state `from` predicts
+    /// ([`Term::stress_prediction`]). Equations without strains have none.
+    ///
+    /// [`Term::stress_prediction`]: super::term::Term::stress_prediction
+    fn add_stress_prediction(&self, _s: &State, _from: &State, _k: &mut SparseMatrix) {}
+
     /// Assembles the initial stress stiffness at the configuration of a state.
     ///
     /// The stresses, multipliers and loads are the first-order response to the increment `by` of q, λ and the load

@@ -208,6 +208,20 @@ impl System {
         }
     }
 
+    /// Adds a matrix of two states, summed over some terms.
+    fn add_pair_matrix(
+        &self,
+        terms: impl Iterator<Item = usize>,
+        [s, other]: [&State; 2],
+        k: &mut SparseMatrix,
+        share: impl Fn(&dyn Term, &Local<'_>, &Local<'_>, &mut LocalMatrix<'_>),
+    ) {
+        let [mut at, mut beside] = [LocalState::EMPTY; 2];
+        self.add_matrix(terms, k.values_mut(), |term, block| {
+            share(term, &at.gather(s, term), &beside.gather(other, term), block);
+        });
+    }
+
     /// Batches of the given indices.
     fn of<'a>(&'a self, batches: &'a [u32]) -> impl Iterator<Item = &'a PlacedBatch> {
         batches.iter().map(|&i| &self.batches[i as usize])
@@ -305,12 +319,15 @@ impl EquationsOfMotion for System {
         });
     }
 
+    fn add_stress_prediction(&self, s: &State, from: &State, k: &mut SparseMatrix) {
+        let terms = (0..self.terms.len()).filter(|&i| self.terms[i].has_stress_prediction());
+        self.add_pair_matrix(terms, [s, from], k, |term, at, from, k| term.stress_prediction(at, from, k));
+    }
+
     fn stress_stiffness(&self, s: &State, by: &State, k: &mut SparseMatrix) {
         k.values_mut().fill(0.0);
-        let (mut at, mut increment) = (LocalState::EMPTY, LocalState::EMPTY);
-        self.add_matrix(0..self.terms.len(), k.values_mut(), |term, block| {
-            term.stress_stiffness(&at.gather(s, term), &increment.gather(by, term), block);
-        });
+        let terms = 0..self.terms.len();
+        self.add_pair_matrix(terms, [s, by], k, |term, at, by, k| term.stress_stiffness(at, by, k));
     }
 
     fn inadmissible(&self, s: &State) -> Option<(usize, Inadmissibility)> {

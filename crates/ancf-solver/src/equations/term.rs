@@ -207,6 +207,18 @@ pub trait Term: Send + Sync {
         0.0
     }
 
+    /// True if the term implements [`stress_prediction`](Self::stress_prediction).
+    fn has_stress_prediction(&self) -> bool {
+        false
+    }
+
+    /// Adds the lower triangle of −Σ (n(q) − n(q₀) − ∂n/∂q(q₀) (q − q₀)) ∂²ε/∂q² with the coordinates q₀ of the state `from`.
+    ///
+    /// The sum of the tangent at q and of this matrix has the stresses that the linear system at q₀ predicts for q, in place of
+    /// those at q. Both differ by the second order of q − q₀, which is large in slender elements: an increment along straight
+    /// tangents stretches the axis.
+    fn stress_prediction(&self, _at: &Local<'_>, _from: &Local<'_>, _k: &mut LocalMatrix<'_>) {}
+
     /// Adds the lower triangle of the initial stress stiffness at the configuration of the state.
     ///
     /// The stresses, multipliers and loads are the first-order response to the increment `by` of q, λ and the load

@@ -11,8 +11,6 @@ pub(crate) struct IterationProgress {
     pub(crate) first: Option<f64>,
     /// Smallest energy of an increment so far.
     least: Option<f64>,
-    /// Largest energy of an increment so far.
-    largest: f64,
     /// Energy of the last increment.
     pub(crate) last: Option<f64>,
     /// Smallest norm of the gaps of the constraints before an increment, in statics.
@@ -29,13 +27,14 @@ impl IterationProgress {
 
     /// Returns true if the energies have decreased by more than the stopping rule requires of a motion.
     ///
-    /// Where joints carry all loads, there is no energy of a motion to compare with, and increments may decrease without limit.
+    /// Where joints carry all loads, there is no energy of a motion to compare with, and increments may decrease without limit. The
+    /// energies are compared with that of the first increment. Later ones may be larger by any factor: an increment along straight
+    /// tangents stretches slender bodies.
     pub(crate) fn is_exhausted(&self) -> bool {
-        self.last.is_some_and(|last| last <= EXHAUSTED * self.largest)
+        self.last.zip(self.first).is_some_and(|(last, first)| last <= EXHAUSTED * first * first)
     }
 
     pub(crate) fn record(&mut self, energy: f64) {
-        self.largest = self.largest.max(energy);
         let stagnant = self.least.is_some_and(|least| energy >= 0.5 * least);
         self.stagnant = if stagnant { self.stagnant + 1 } else { 0 };
         self.last = Some(energy);

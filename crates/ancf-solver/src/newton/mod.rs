@@ -9,6 +9,7 @@ mod newton_method;
 mod newton_report;
 mod rounding_errors;
 mod rounding_floor;
+mod stress_prediction;
 mod tangent;
 
 pub(crate) use active_set::ActiveSet;

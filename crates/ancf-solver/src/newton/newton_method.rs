@@ -71,6 +71,8 @@ const LEAST_REMAINDER: f64 = 1e-7;
 const ROUNDING: f64 = 1e-15;
 /// Energy of a system at rest, relative to that of rounding errors.
 const REST: f64 = 1e-20;
+/// Energy of an increment, relative to that of the state, below which the iteration may end at its rounding errors.
+const SMALL: f64 = 1e-8;
 /// Default number of iterations without progress that counts as stagnation.
 const STAGNATION_LIMIT: u32 = 3;
 
@@ -247,6 +249,15 @@ impl Newton {
         Ok(w.q * dot(&self.z[..n], &self.r[..n]).abs() + dot(&self.z[n..], &self.r[n..]).abs())
     }
 
+    /// True in motions, and in statics if the energy of the last increment is small compared with that of the state.
+    ///
+    /// The residual of an iterate has rounding errors in proportion to the increment that led to it. A slender body may
+    /// have large increments with a residual below these errors, far from any equilibrium.
+    fn is_small(&self, eom: &dyn EquationsOfMotion, s: &State, last: Option<f64>) -> bool {
+        let is_motion = self.weights != Weights::STIFFNESS;
+        is_motion || last.is_some_and(|last| last <= SMALL * self.energy.max(eom.energy(s).largest()))
+    }
+
     /// Returns the number of negative eigenvalues of the last factorised matrix in excess of the number of multipliers.
     ///
     /// In statics this is the number of unstable directions. Returns `None` if neither the factors nor those of the
@@ -274,7 +285,9 @@ impl Newton {
             return ControlFlow::Break(Ok(report));
         }
         let is_last = report.iterations >= self.max_iterations;
-        let is_floor = progress.stagnant > 0 && self.at(eom, s).excess().1 <= FLOOR;
+        let is_floor = progress.stagnant > 0
+            && self.is_small(eom, s, progress.last)
+            && self.at(eom, s).excess().1 <= FLOOR;
         // Without an energy of a motion, increments may decrease without limit or vary randomly.
         let may_be_zero = progress.stagnant > 0 || is_last || progress.is_exhausted();
         let largest = self.energy;

@@ -1,6 +1,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::error::SolveFailure;
+use super::stress_prediction::StressPrediction;
 use crate::equations::{EquationsOfMotion, State, Weights};
 use crate::factor::{Factor, FactorHistory};
 use crate::sparse::SparseMatrix;
@@ -30,6 +31,8 @@ pub(crate) struct NewtonTangent {
     exact: bool,
     /// Number of tangents of the current solution.
     computed: u32,
+    /// Predicted stresses of the tangents in statics.
+    prediction: Option<StressPrediction>,
 }
 
 /// Usage of a tangent so far.
@@ -110,7 +113,16 @@ impl NewtonTangent {
     pub(crate) fn new(matrix: SparseMatrix) -> Result<Self, SolveFailure> {
         let factor = Factor::new(matrix.pattern()).map_err(|_| SolveFailure::Memory)?;
         let usage = TangentUsage::new();
-        Ok(Self { matrix, factor, usage, saved: usage, made: None, exact: true, computed: 0 })
+        Ok(Self {
+            matrix,
+            factor,
+            usage,
+            saved: usage,
+            made: None,
+            exact: true,
+            computed: 0,
+            prediction: None,
+        })
     }
 
     /// Replaces the matrix by one of another pattern.
@@ -134,6 +146,16 @@ impl NewtonTangent {
     /// States that new tangents are approximations.
     pub(crate) fn set_inexact(&mut self) {
         self.exact = false;
+    }
+
+    /// Starts a static solution from an equilibrium. Its tangents have predicted stresses.
+    pub(crate) fn predict_stresses(&mut self, from: &State) {
+        self.prediction.get_or_insert_with(|| StressPrediction::new(from)).start(from);
+    }
+
+    /// Ends a static solution. Later tangents have the stresses of the iterate.
+    pub(crate) fn end_prediction(&mut self) {
+        self.prediction.iter_mut().for_each(StressPrediction::end);
     }
 
     /// Returns true if the reuse of tangents is permitted.
@@ -206,10 +228,17 @@ impl NewtonTangent {
                 if self.usage.age == TangentAge::Old { TangentAge::Old } else { TangentAge::Solution };
             return Ok(());
         }
-        eom.tangent(s, w, &mut self.matrix);
+        let Self { matrix, factor, prediction, .. } = self;
+        let is_predicted = match prediction {
+            Some(prediction) => prediction.factorise(eom, s, (matrix, factor)),
+            None => false,
+        };
+        if !is_predicted {
+            eom.tangent(s, w, matrix);
+            factor.factorise(matrix).map_err(|_| SolveFailure::Singular)?;
+        }
         self.computed += 1;
         self.made.iter_mut().for_each(|made| made.record(s));
-        self.factor.factorise(&self.matrix).map_err(|_| SolveFailure::Singular)?;
         self.usage.weights = Some(w).filter(|_| self.usage.policy == TangentPolicy::WhenDue);
         self.usage.age = TangentAge::Iteration;
         (self.usage.rate, self.usage.fewest_iterations, self.usage.extra_iterations) = (None, u32::MAX, 0);

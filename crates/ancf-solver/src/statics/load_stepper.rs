@@ -170,8 +170,11 @@ impl<'a, E: EquationsOfMotion> LoadStepper<'a, E> {
         check_change(&*self.eom, &found, &self.state, &self.trial)?;
         loop {
             self.predict(load);
-            let Self { newton, search, eom, trial, .. } = self;
-            found = found.repeated(Equilibrium::find(newton, search, &**eom, trial)?);
+            let Self { newton, search, eom, state, trial, .. } = self;
+            newton.tangent.predict_stresses(state);
+            let solution = Equilibrium::find(newton, search, &**eom, trial);
+            newton.tangent.end_prediction();
+            found = found.repeated(solution?);
             let Some((eom, matrix)) = eom.with_active_terms(trial) else { break };
             // A term that is active there was not included.
             self.replace_equations(eom, matrix)?;

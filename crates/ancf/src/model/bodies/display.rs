@@ -16,7 +16,7 @@ pub enum DisplayShape {
         #[unit(length)]
         #[serde(default, skip_serializing_if = "Option::is_none")]
         center: Option<[f64; 3]>,
-        /// Rotation about the centre of the box, in radians: a vector along the axis with the angle as its length.
+        /// Rotation vector about the centre of the box, in radians. Its length is the angle.
         #[unit(radian)]
         #[serde(default)]
         rotation: [f64; 3],
@@ -59,7 +59,7 @@ pub enum DisplayShape {
         #[unit(length)]
         #[serde(default)]
         origin: [f64; 3],
-        /// Rotation about the origin of the file, in radians: a vector along the axis with the angle as its length.
+        /// Rotation vector about the origin of the file, in radians. Its length is the angle.
         #[unit(radian)]
         #[serde(default)]
         rotation: [f64; 3],

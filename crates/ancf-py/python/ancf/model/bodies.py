@@ -169,8 +169,7 @@ class DisplayBox(Part):
     center
         Centre of the box, length; the centre of mass by default.
     rotation
-        Rotation about the centre of the box, in radians: a vector along the axis with the angle as its
-        length. Default: ``[0.0, 0.0, 0.0]``.
+        Rotation vector about the centre of the box, in radians. Its length is the angle. Default: ``[0.0, 0.0, 0.0]``.
 
     """
 
@@ -242,8 +241,7 @@ class DisplayMesh(Part):
     origin
         Position of the origin of the file, length. Default: ``[0.0, 0.0, 0.0]``.
     rotation
-        Rotation about the origin of the file, in radians: a vector along the axis with the angle as its
-        length. Default: ``[0.0, 0.0, 0.0]``.
+        Rotation vector about the origin of the file, in radians. Its length is the angle. Default: ``[0.0, 0.0, 0.0]``.
     scale
         Length of the unit of the file: 0.001 for millimetres in a model in metres, length; 1 by default (>
         0).

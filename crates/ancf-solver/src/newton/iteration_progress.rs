@@ -11,6 +11,8 @@ pub(crate) struct IterationProgress {
     pub(crate) first: Option<f64>,
     /// Smallest energy of an increment so far.
     least: Option<f64>,
+    /// Largest energy of an increment so far.
+    pub(crate) largest: f64,
     /// Energy of the last increment.
     pub(crate) last: Option<f64>,
     /// Smallest norm of the gaps of the constraints before an increment, in statics.
@@ -35,6 +37,7 @@ impl IterationProgress {
     }
 
     pub(crate) fn record(&mut self, energy: f64) {
+        self.largest = self.largest.max(energy);
         let stagnant = self.least.is_some_and(|least| energy >= 0.5 * least);
         self.stagnant = if stagnant { self.stagnant + 1 } else { 0 };
         self.last = Some(energy);

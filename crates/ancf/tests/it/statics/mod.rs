@@ -6,5 +6,6 @@ mod loads_on_joints;
 mod paths;
 mod rigid_ends;
 mod rotations;
+mod slender;
 mod truss;
 mod unstable;

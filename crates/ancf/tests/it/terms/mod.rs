@@ -10,4 +10,5 @@ mod kind;
 mod laws;
 mod magnet;
 mod steps;
+mod stress_prediction;
 mod stress_stiffness;

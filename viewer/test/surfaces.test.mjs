@@ -39,6 +39,22 @@ test("the surface turns with its body, in both themes", async () => {
   }
 });
 
+test("edges of the surface are dark lines, its faces are plain", async () => {
+  const { tab } = await open(browser, bracket(), { viewport: DESKTOP });
+  await setTime(tab, 0);
+  await settle(tab);
+  const brightness = await tab.evaluate(() => {
+    const at = (x, y) => window.ancf.pixel(...window.ancf.project(x, y, 0)).slice(0, 3);
+    const sum = (colour) => colour.reduce((a, b) => a + b);
+    // Across the long inner edge of the bracket, and across the diagonal between two of its triangles.
+    const across = (x, y) => Math.min(...[-2, -1, 0, 1, 2].map((k) => sum(at(x, y + 0.0015 * k))));
+    return { face: sum(at(0.5, 0.15)), edge: across(0.6, 0.198), diagonal: across(0.6, 0.12) };
+  });
+  assert.ok(brightness.edge < 0.75 * brightness.face, JSON.stringify(brightness));
+  assert.ok(brightness.diagonal > 0.95 * brightness.face, JSON.stringify(brightness));
+  await tab.close();
+});
+
 test("the camera frames the surface in all its positions", async () => {
   for (const viewport of [DESKTOP, PHONE]) {
     const { tab } = await open(browser, bracket(), { viewport });

@@ -39,7 +39,7 @@ pub enum Command {
     /// Show the results of a run in a browser, live while it runs.
     #[command(after_help = VIEW_EXAMPLES)]
     View(ViewArguments),
-    /// Plot columns of a run in the terminal, or into an SVG or PNG file, also while it runs.
+    /// Plot columns of a run in the terminal, or into an SVG, PNG or PDF file, also while it runs.
     #[command(after_help = PLOT_EXAMPLES)]
     Plot(PlotArguments),
     /// Write the results of a run as files for ParaView and PyVista.

@@ -1,7 +1,8 @@
-//! SVG and PNG of plane figures and of stacked panels.
+//! SVG, PNG and PDF of plane figures and of stacked panels.
 
+use crate::format::pdf;
+use crate::format::svg::{self, FigureError};
 use crate::plot;
-use crate::svg::{self, FigureError};
 use crate::types::{Figure, FigurePanels, LegendPlacement};
 
 impl Figure {
@@ -17,6 +18,14 @@ impl Figure {
     /// If the size of the figure is zero or too large for memory.
     pub fn png(&self) -> Result<Vec<u8>, FigureError> {
         svg::png(&self.svg())
+    }
+
+    /// Returns the figure as a PDF file with one page.
+    ///
+    /// # Errors
+    /// If the size of the figure is zero.
+    pub fn pdf(&self) -> Result<Vec<u8>, FigureError> {
+        pdf::page(&self.svg())
     }
 }
 
@@ -52,5 +61,13 @@ impl FigurePanels {
     /// If the size is zero or too large for memory.
     pub fn png(&self) -> Result<Vec<u8>, FigureError> {
         svg::png(&self.svg())
+    }
+
+    /// Returns the panels as a PDF file with one page.
+    ///
+    /// # Errors
+    /// If the size is zero.
+    pub fn pdf(&self) -> Result<Vec<u8>, FigureError> {
+        pdf::page(&self.svg())
     }
 }

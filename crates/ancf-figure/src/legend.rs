@@ -3,9 +3,9 @@
 use kuva::render::render::{Primitive, Scene, TextAnchor};
 
 use crate::draw;
+use crate::format::svg::text_width;
 use crate::polyline::{Point, Rect, clip};
 use crate::style::CurveStyle;
-use crate::svg::text_width;
 use crate::types::LegendPlacement;
 
 /// Font size of the names.

@@ -1,8 +1,9 @@
-//! Line and marker figures for reports: SVG text by `kuva`, PNG from that SVG by `resvg`.
+//! Line and marker figures for reports: SVG text by `kuva`, PNG and PDF from that SVG by `resvg` and `pdf-writer`.
 //!
 //! ```text
 //! data:     style   types
-//! drawing:  svg -> polyline -> draw -> legend
+//! formats:  format (SVG, PNG, PDF)
+//! drawing:  polyline -> draw -> legend
 //! layout:   axis_layout -> plot
 //! figures:  figure (plane, stacked panels), space
 //! ```
@@ -12,17 +13,17 @@
 mod axis_layout;
 mod draw;
 mod figure;
+mod format;
 mod legend;
 mod plot;
 mod polyline;
 mod space;
 mod style;
-mod svg;
 #[cfg(test)]
 mod tests;
 mod types;
 
+pub use format::svg::FigureError;
 pub use space::{SpaceCurve, SpaceFigure};
 pub use style::{CurveStyle, DashPattern, MarkerShape};
-pub use svg::FigureError;
 pub use types::{AxisScale, Figure, FigureAxis, FigurePanels, FigureSeries, LegendPlacement};

@@ -7,10 +7,10 @@ use kuva::render::theme::Theme;
 
 use crate::axis_layout::AxisLayout;
 use crate::draw;
+use crate::format::svg::FAMILY;
 use crate::legend::LegendBox;
 use crate::polyline::{Point, Rect, clip, decimate};
 use crate::style::{CurveStyle, DashPattern, MarkerShape};
-use crate::svg::FAMILY;
 use crate::types::{Figure, FigureSeries, LegendPlacement};
 
 const GRID: &str = "#e6e6e6";

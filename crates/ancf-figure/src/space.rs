@@ -3,10 +3,10 @@
 //! `kuva` has such a box, but at half of all view angles (its default included) it shows a mirror image.
 
 use crate::axis_layout::AxisLayout;
+use crate::format::svg::{self, FigureError};
 use crate::plot::{self, EdgeLabel};
 use crate::polyline::Point;
 use crate::style::{CurveStyle, DashPattern, MarkerShape};
-use crate::svg::{self, FigureError};
 use crate::types::{Figure, FigureAxis, FigureSeries, LegendPlacement};
 
 type Vector = [f64; 3];

@@ -72,6 +72,32 @@ fn png_is_not_blank_and_twice_as_large() {
     assert!(Figure { width: 0.0, ..example(10) }.png().is_err());
 }
 
+/// Numbers before each operator of the content of a PDF file.
+fn operands(pdf: &[u8], operator: &str) -> Vec<Vec<f32>> {
+    let text = String::from_utf8_lossy(pdf);
+    let content = text.split("stream\n").nth(1).expect("content");
+    let lines = content.lines().filter_map(|line| line.strip_suffix(operator));
+    lines.map(|line| line.split_whitespace().filter_map(|word| word.parse().ok()).collect()).collect()
+}
+
+#[test]
+fn pdf_has_the_page_of_the_figure_and_its_curves() {
+    let line = FigureSeries::new("", vec![0.0, 1.0], vec![0.0, 1.0]);
+    let style = CurveStyle::nth(1).wide(3.25);
+    let figure = Figure::new("x", "y").with(line.style(style));
+    let pdf = figure.pdf().expect("drawn");
+    assert!(pdf.starts_with(b"%PDF-"));
+    // A CSS pixel has 0.75 points.
+    let page = format!("/MediaBox [0 0 {} {}]", 0.75 * figure.width, 0.75 * figure.height);
+    assert!(String::from_utf8_lossy(&pdf).contains(&page), "{page}");
+    assert_eq!(operands(&pdf, " w").iter().filter(|width| width[..] == [3.25]).count(), 1);
+    // A scale and a reflection place the origin of SVG at the upper left corner.
+    assert_eq!(operands(&pdf, " cm")[0][..4], [0.75, 0.0, 0.0, -0.75]);
+    let panels = FigurePanels::new(vec![example(50), example(60)]);
+    assert!(!operands(&panels.pdf().expect("drawn"), " w").is_empty());
+    assert!(Figure { width: 0.0, ..example(10) }.pdf().is_err());
+}
+
 #[test]
 fn tiny_values_are_drawn_at_their_place_on_a_logarithmic_axis() {
     let y = |last: f64| {

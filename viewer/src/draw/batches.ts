@@ -2,6 +2,7 @@
 
 import { bodyRadius } from "../scene/geometry";
 import type { Body, Scene } from "../scene/scene";
+import { creases } from "./creases";
 import { box, cap, isPolygon, type MeshTemplate, sphere, triangles, tube } from "./templates";
 
 /** Numbers per instance: station, body, radius, scale factors at the start (3) and at the end (3). */
@@ -86,12 +87,15 @@ function addRigid(lists: InstanceLists, body: Body, number: number, fallback: nu
   list.add(body.first, number, bodyRadius(body) || fallback, half, half);
 }
 
-/** Adds the triangles of a body. */
+/** Adds the triangles of a body and its edges. */
 function addSurface(lists: InstanceLists, body: Body, number: number): void {
   const { surface } = body;
   if (!surface) return;
-  const list = lists.get(`surface ${number}`, () => triangles(surface));
-  list.add(body.first, number, bodyRadius(body), [1, 1, 1], [1, 1, 1]);
+  const parts = [
+    lists.get(`surface ${number}`, () => triangles(surface)),
+    lists.get(`edges ${number}`, () => creases(surface)),
+  ];
+  for (const list of parts) list.add(body.first, number, bodyRadius(body), [1, 1, 1], [1, 1, 1]);
 }
 
 /** Adds the walls and caps of a body with a section. */

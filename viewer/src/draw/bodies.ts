@@ -55,6 +55,7 @@ export class BodyMeshes {
       minPixels: { value: 1.25 },
       ghost: { value: false },
       shadow: { value: false },
+      crease: { value: false },
       ground: { value: new THREE.Vector4(...ground.up, ground.level) },
       fading: { value: ground.fading },
       coloured: { value: false },
@@ -71,9 +72,14 @@ export class BodyMeshes {
       premultipliedAlpha: true,
     });
     const shadow = bodyMaterial({ ...this.uniforms, shadow: { value: true } }, SHADOW);
-    this.materials = [solid, transparent, shadow];
+    const crease = bodyMaterial({ ...this.uniforms, crease: { value: true } }, {});
+    this.materials = [solid, transparent, shadow, crease];
     for (const batch of bodyBatches(scene)) {
       const geometry = instancedGeometry(batch);
+      if (batch.template.isLines) {
+        this.group.add(always(new THREE.LineSegments(geometry, crease)));
+        continue;
+      }
       this.group.add(mesh(geometry, solid));
       this.ghost.add(mesh(geometry, transparent));
       const flat = mesh(geometry, shadow);
@@ -134,9 +140,13 @@ function bodyMaterial(
 }
 
 function mesh(geometry: THREE.BufferGeometry, material: THREE.Material): THREE.Mesh {
-  const result = new THREE.Mesh(geometry, material);
-  result.frustumCulled = false;
-  return result;
+  return always(new THREE.Mesh(geometry, material));
+}
+
+/** Excludes an object from culling, since its points are known to the shader only. */
+function always<T extends THREE.Object3D>(object: T): T {
+  object.frustumCulled = false;
+  return object;
 }
 
 function instancedGeometry({ template, instances, count }: InstanceBatch): THREE.InstancedBufferGeometry {

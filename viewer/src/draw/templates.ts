@@ -4,6 +4,8 @@ import type { Body } from "../scene/scene";
 
 /** Mesh in section coordinates (along d1, d2, d3) that is drawn once per instance. */
 export interface MeshTemplate {
+  /** True if the indices are pairs of points of lines, otherwise the corners of triangles. */
+  isLines: boolean;
   local: number[];
   normal: number[];
   /** Station of each vertex: 0 for the station of the instance, 1 for the next one. */
@@ -14,12 +16,13 @@ export interface MeshTemplate {
 }
 
 function empty(): MeshTemplate {
-  return { local: [], normal: [], end: [], face: [], index: [] };
+  return { isLines: false, local: [], normal: [], end: [], face: [], index: [] };
 }
 
 function merge(a: MeshTemplate, b: MeshTemplate): MeshTemplate {
   const offset = a.end.length;
   return {
+    isLines: a.isLines,
     local: [...a.local, ...b.local],
     normal: [...a.normal, ...b.normal],
     end: [...a.end, ...b.end],
@@ -89,10 +92,11 @@ export function cap(outline: number[][], inner: number[][] | null, side: number)
   return template;
 }
 
-/** Triangles of a rigid body, without edges. */
+/** Triangles of a rigid body. */
 export function triangles(surface: NonNullable<Body["surface"]>): MeshTemplate {
   const count = surface.points.length / 3;
   return {
+    isLines: false,
     local: Array.from(surface.points),
     normal: Array.from(surface.normals, (n) => n / 32767),
     end: new Array(count).fill(0),

@@ -5,7 +5,7 @@ import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import type { Vector } from "../scene/scene";
 import { horizontalAxes } from "./axes";
 import type { Extent, Spheres } from "./extent";
-import { planeNormal, type ViewAxes } from "./orientation";
+import { isStraight, planeNormal, type ViewAxes } from "./orientation";
 
 export const STANDARD_VIEWS = ["front", "top", "side", "oblique"] as const;
 export type StandardView = (typeof STANDARD_VIEWS)[number];
@@ -70,9 +70,10 @@ export class Camera {
     this.lookFrom(direction.normalize());
   }
 
-  /** Selects the direction normal to a planar motion, or the oblique one. */
+  /** Selects the direction normal to a planar motion, or the oblique one. Solids on a straight line are seen by their shape. */
   setInitialView(): void {
-    const normal = planeNormal(this.extent().lines, this.axes);
+    const { lines, motion } = this.extent();
+    const normal = planeNormal(isStraight(lines) ? motion : lines, this.axes);
     if (normal) this.lookFrom(normal);
     else this.setView("oblique");
   }

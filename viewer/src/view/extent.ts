@@ -79,21 +79,16 @@ function factors(scene: Scene, deformation: number): number[] {
   return isModal(scene) ? [deformation, -deformation] : [deformation];
 }
 
+/** Function of a point and of a radius around it. */
+type AddPoint = (x: number, y: number, z: number, radius: number) => void;
+
 /** Calls `add` for all stations, markers and ends of links in all frames, with scaled displacements. */
-function forEachPoint(
-  scene: Scene,
-  deformation: number,
-  add: (x: number, y: number, z: number, radius: number) => void,
-): void {
+function forEachPoint(scene: Scene, deformation: number, add: AddPoint): void {
   const { centres, reference, stations, frames } = scene;
   for (const factor of factors(scene, deformation)) {
     for (const body of scene.bodies) {
-      if (body.surface) {
-        forEachCorner(scene, body, factor, add);
-        continue;
-      }
       const scales = body.scale ? Math.max(...body.scale) : 1;
-      const radius = bodyRadius(body) * Math.max(1, scales);
+      const radius = body.surface ? 0 : bodyRadius(body) * Math.max(1, scales);
       for (let f = 0; f < frames.count; f++) {
         for (let i = body.first; i < body.first + body.count; i++) {
           const [a, r] = [3 * (f * stations + i), 3 * i];
@@ -113,13 +108,15 @@ function forEachPoint(
   }
 }
 
+/** Calls `add` for the corners of the boxes around the surfaces of all rigid bodies in all frames. */
+function forEachCorner(scene: Scene, deformation: number, add: AddPoint): void {
+  for (const factor of factors(scene, deformation)) {
+    for (const body of scene.bodies) if (body.surface) forEachCornerOf(body, scene, factor, add);
+  }
+}
+
 /** Calls `add` for the corners of the box around the surface of a rigid body in all frames. */
-function forEachCorner(
-  scene: Scene,
-  body: Body,
-  factor: number,
-  add: (x: number, y: number, z: number, radius: number) => void,
-): void {
+function forEachCornerOf(body: Body, scene: Scene, factor: number, add: AddPoint): void {
   const { centres, directors, reference, stations, frames } = scene;
   const [low, high] = surfaceBox(body);
   for (let f = 0; f < frames.count; f++) {
@@ -140,11 +137,7 @@ function forEachCorner(
 }
 
 /** Calls `add` for points of spheres and cylinders of moderate size in all their poses. */
-function forEachObstaclePoint(
-  obstacles: Obstacle[],
-  size: number,
-  add: (x: number, y: number, z: number, radius: number) => void,
-): void {
+function forEachObstaclePoint(obstacles: Obstacle[], size: number, add: AddPoint): void {
   for (const { kind, radius, length, pose } of obstacles) {
     if (kind === "plane" || radius > MAX_OBSTACLE * size || (kind === "cylinder" && length === null))
       continue;
@@ -161,17 +154,18 @@ function forEachObstaclePoint(
   }
 }
 
-/** Box around the centre lines, of finite size. */
+/** Box around the centre lines and the surfaces, of finite size. */
 function motionBox(scene: Scene, deformation: number): [Vector, Vector] {
   const low: Vector = [Infinity, Infinity, Infinity];
   const high: Vector = [-Infinity, -Infinity, -Infinity];
-  forEachPoint(scene, deformation, (x, y, z) => {
-    const point = [x, y, z];
+  const add = (...point: Vector) => {
     for (let k = 0; k < 3; k++) {
       low[k] = Math.min(low[k], point[k]);
       high[k] = Math.max(high[k], point[k]);
     }
-  });
+  };
+  forEachPoint(scene, deformation, add);
+  forEachCorner(scene, deformation, add);
   if (low.every(Number.isFinite) && high.every(Number.isFinite)) return [low, high];
   const half = 0.5 * scene.size;
   return [
@@ -208,6 +202,7 @@ export function extentOf(scene: Scene, deformation: number, withReference: boole
     lines.add(x, y, z, 0);
     motion.add(x, y, z, radius);
   });
+  forEachCorner(scene, deformation, (x, y, z, radius) => motion.add(x, y, z, radius));
   const { centres } = scene.reference;
   for (let i = 0; withReference && i < centres.length; i += 3) {
     motion.add(centres[i], centres[i + 1], centres[i + 2], 0);

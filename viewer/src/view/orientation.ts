@@ -69,6 +69,18 @@ function range(points: Spheres, n: THREE.Vector3): number {
   return Math.max(0, high - low);
 }
 
+/** Principal directions of points with their ranges, the longest first. */
+function principalRanges(points: Spheres): { directions: THREE.Vector3[]; ranges: number[] } {
+  const directions = eigenvectors(covariance(points));
+  return { directions, ranges: directions.map((n) => range(points, n)) };
+}
+
+/** True if the points are on a straight line. */
+export function isStraight(points: Spheres): boolean {
+  const [length, width] = principalRanges(points).ranges;
+  return width <= PLANAR * length;
+}
+
 /** Axes of the standard views: to the right, upwards, towards the observer. */
 export interface ViewAxes {
   right: THREE.Vector3;
@@ -82,8 +94,8 @@ export interface ViewAxes {
  */
 export function planeNormal(points: Spheres, { right, up, toward }: ViewAxes): THREE.Vector3 | null {
   if (points.length === 0) return null;
-  const [first, second, third] = eigenvectors(covariance(points));
-  const [length, width, thickness] = [first, second, third].map((n) => range(points, n));
+  const { directions, ranges } = principalRanges(points);
+  const [[first, , third], [length, width, thickness]] = [directions, ranges];
   if (!(length > 0)) return toward.clone();
   if (thickness > PLANAR * length) return null;
   if (width <= PLANAR * length) return (Math.abs(first.dot(toward)) < 0.9 ? toward : right).clone();

@@ -31,7 +31,7 @@ pub struct PlotArguments {
     /// Column of the horizontal axis; time, load factor, mode number, or the first parameter of a study by default.
     #[arg(short, long, value_name = "COLUMN")]
     against: Option<String>,
-    /// Write a figure into this SVG or PNG file instead of a chart in the terminal.
+    /// Write a figure into this SVG, PNG or PDF file instead of a chart in the terminal.
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
     /// Title above the charts.
@@ -56,7 +56,7 @@ Examples:
   ancf plot out tip 'root.f*'                   one chart per unit
   ancf plot out tip.y --against tip.x           the path of the tip
   ancf plot out kinetic strain --from 0.5 --to 1
-  ancf plot out tip.y -o tip.png --title Tip    a figure; also .svg
+  ancf plot out tip.y -o tip.png --title Tip    a figure; also .svg and .pdf
   ancf plot study tip                           an objective of a study over its parameter
 
 Curves are interrupted at values that are not finite. Without colours several curves have different

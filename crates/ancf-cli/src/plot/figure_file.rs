@@ -1,4 +1,4 @@
-//! Panels as an SVG or PNG file.
+//! Panels as an SVG, PNG or PDF file.
 
 use std::fs;
 use std::path::Path;
@@ -23,6 +23,7 @@ pub fn write(panels: &[PlotPanel], title: Option<&str>, file: &Path, format: Fig
     let bytes = match format {
         FigureFormat::Svg => figures.svg().into_bytes(),
         FigureFormat::Png => figures.png().context("the figure cannot be drawn")?,
+        FigureFormat::Pdf => figures.pdf().context("the figure cannot be drawn")?,
     };
     fs::write(file, bytes).with_context(|| format!("cannot write {}", file.display()))
 }

@@ -9,6 +9,8 @@ pub enum FigureFormat {
     Svg,
     /// Pixels.
     Png,
+    /// Vector graphics on a page.
+    Pdf,
 }
 
 impl FigureFormat {
@@ -21,7 +23,8 @@ impl FigureFormat {
         match extension.as_deref() {
             Some("svg") => Ok(Self::Svg),
             Some("png") => Ok(Self::Png),
-            _ => Err(format!("{}: expected a file with the extension .svg or .png", file.display())),
+            Some("pdf") => Ok(Self::Pdf),
+            _ => Err(format!("{}: expected a file with the extension .svg, .png or .pdf", file.display())),
         }
     }
 }
@@ -34,9 +37,10 @@ mod tests {
     fn names_have_formats() {
         assert_eq!(FigureFormat::from_path(Path::new("a.b/tip.SVG")), Ok(FigureFormat::Svg));
         assert_eq!(FigureFormat::from_path(Path::new("tip.png")), Ok(FigureFormat::Png));
+        assert_eq!(FigureFormat::from_path(Path::new("tip.pdf")), Ok(FigureFormat::Pdf));
         assert!(
             FigureFormat::from_path(Path::new("tip")).is_err()
-                && FigureFormat::from_path(Path::new("tip.pdf")).is_err()
+                && FigureFormat::from_path(Path::new("tip.eps")).is_err()
         );
     }
 }

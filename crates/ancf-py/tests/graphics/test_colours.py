@@ -84,6 +84,11 @@ def test_a_mooring_uses_the_whole_scale() -> None:
     assert (low, high) == pytest.approx((known.min(), known.max()))
 
 
+def test_unknown_quantities_have_a_hint() -> None:
+    with pytest.raises(KeyError, match="did you mean 'stress'"):
+        quantity(result("mooring"), "strees")
+
+
 def test_modes_are_relative_to_their_maximum() -> None:
     run = ancf.modes(ROOT / "models/cantilever.toml", 3)
     shape = quantity(run, "displacement")

@@ -14,6 +14,7 @@ uniform float thickness;
 uniform float minPixels;  // lower limit of the radius in pixels
 uniform bool ghost;
 uniform bool shadow;      // projection onto the ground
+uniform bool crease;      // line on a surface
 uniform vec4 ground;      // vertical axis and level of the ground
 in vec3 local;            // coordinates along d1, d2, d3
 in vec3 localNormal;      // components along d1, d2, d3
@@ -75,7 +76,8 @@ void main() {
   level = mix(a, b, weight) / 65534.0;
   missing = max(a, b) > 65534.5 ? 1.0 : 0.0;
   colourIndex = int(body + 0.5);
-  gl_Position = projectionMatrix * view;
+  // Lines are in front of the faces that they bound.
+  gl_Position = projectionMatrix * vec4(crease ? view.xyz * 0.9995 : view.xyz, 1.0);
 }
 `;
 
@@ -87,6 +89,7 @@ uniform vec3 palette[8];
 uniform bool ghost;
 uniform bool coloured;
 uniform bool shadow;
+uniform bool crease;
 uniform float fading;     // height at which a shadow has faded to a third
 uniform vec4 ghostColour;
 in vec3 viewNormal;
@@ -112,13 +115,13 @@ void main() {
   }
   vec3 base = palette[colourIndex % 8];
   if (coloured) {
-    base = missing > 0.0 ? vec3(0.6) : texture(colours, vec2(mix(window.x, window.y, level), 0.5)).rgb;
+    base = missing > 0.0 ? vec3(0.68, 0.71, 0.74) : texture(colours, vec2(mix(window.x, window.y, level), 0.5)).rgb;
   }
   vec2 size = max(fwidth(onFace), 1e-6);
   vec2 edge = (1.0 - abs(onFace)) / size;
   // Lines fade out on faces of a few pixels.
   vec2 lines = (1.0 - smoothstep(0.8, 1.8, edge)) * (1.0 - smoothstep(0.1, 0.3, size));
-  float line = max(lines.x, lines.y);
+  float line = crease ? 1.0 : max(lines.x, lines.y);
   colour = vec4(shade(base, viewNormal, viewPosition) * (1.0 - 0.55 * line), 1.0);
 }
 `;

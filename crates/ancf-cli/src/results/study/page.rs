@@ -155,7 +155,7 @@ fn cases(record: &StudyRecord) -> Markup {
     };
     html! {
         @if count > MAX_CASES { p { "The first " (MAX_CASES) " of " (count) " cases. The Parquet file has all." } }
-        div.table tabindex="0" role="region" aria-label="Cases" { table.wide {
+        div.table.long tabindex="0" role="region" aria-label="Cases" { table.wide {
             thead { tr {
                 th scope="col" { "Case" }
                 @for column in &columns { th scope="col" { (column.name) } }

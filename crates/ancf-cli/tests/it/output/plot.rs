@@ -82,10 +82,11 @@ fn figures_are_written() {
     let image = png::Decoder::new(std::io::BufReader::new(fs::File::open(folder.path("tip.png")).unwrap()));
     let info = image.read_info().unwrap();
     assert_eq!((info.info().width, info.info().height), (1280, 800));
-    let other = folder.ancf(&["plot", "out", "tip.y", "-o", "tip.pdf"]);
-    assert!(
-        other.code == Some(2) && other.messages.contains("expected a file with the extension .svg or .png")
-    );
+    folder.printed(&["plot", "out", "tip.y", "-o", "tip.pdf"]);
+    assert!(fs::read(folder.path("tip.pdf")).unwrap().starts_with(b"%PDF-"));
+    let other = folder.ancf(&["plot", "out", "tip.y", "-o", "tip.eps"]);
+    let expected = "expected a file with the extension .svg, .png or .pdf";
+    assert!(other.code == Some(2) && other.messages.contains(expected), "{}", other.messages);
 }
 
 #[test]

@@ -137,5 +137,6 @@ def _of_report(result: ResultData, name: str, parts: int) -> Quantity:
     """Return a scalar field of the report."""
     fields = result._scalar_fields(parts)
     if name not in fields:
-        raise KeyError(unknown_name("quantity", name, [*COMPONENTS, *COLOUR_VECTORS, *fields]))
+        known = dict.fromkeys([*COMPONENTS, *COLOUR_VECTORS, *SYNONYMS, *fields])
+        raise KeyError(unknown_name("quantity", name, list(known)))
     return Quantity(*fields[name])

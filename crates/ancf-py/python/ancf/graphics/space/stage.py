@@ -80,8 +80,9 @@ class Scenes(ResultData):
         """Return the surfaces of all bodies in a row as a PyVista mesh: sections swept along beams and cables.
 
         Surfaces of bodies are closed. Cells have the number of their `body`, points have the arc length `s` and the
-        quantity `color`. Rigid bodies have their `display` shapes or their contact surface; without these they are boxes with the
-        proportions of their inertia and arms to their joints. Point masses are spheres. In modes, sections do not twist.
+        quantity `color`. Rigid bodies have their `display` shapes or their contact surface. Without these they are
+        boxes with the proportions of their inertia and arms to their joints. Point masses are spheres. In modes,
+        sections do not twist.
 
         Parameters
         ----------

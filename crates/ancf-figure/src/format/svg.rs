@@ -18,14 +18,19 @@ static OPTIONS: LazyLock<Options<'static>> = LazyLock::new(|| {
     options
 });
 
-/// Failure of the PNG conversion.
+/// Failure of the conversion into another format.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("the figure cannot be drawn as PNG: {0}")]
+#[error("the figure cannot be converted: {0}")]
 pub struct FigureError(String);
+
+/// Parses SVG text.
+pub(crate) fn tree(svg: &str) -> Result<Tree, FigureError> {
+    Tree::from_str(svg, &OPTIONS).map_err(|e| FigureError(e.to_string()))
+}
 
 /// Renders SVG text at twice its size on white.
 pub(crate) fn png(svg: &str) -> Result<Vec<u8>, FigureError> {
-    let tree = Tree::from_str(svg, &OPTIONS).map_err(|e| FigureError(e.to_string()))?;
+    let tree = tree(svg)?;
     let (w, h) = ((tree.size().width() * 2.0).ceil(), (tree.size().height() * 2.0).ceil());
     let picture = Pixmap::new(w as u32, h as u32);
     let mut picture = picture.ok_or_else(|| FigureError(format!("{w} x {h} pixels")))?;
@@ -57,5 +62,5 @@ fn escape(text: &str) -> String {
 pub(crate) fn text_width(text: &str, size: u32) -> f64 {
     let text = format!("<text y=\"50\" font-size=\"{size}\">{}</text>", escape(text));
     let svg = format!("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"9\" height=\"9\">{text}</svg>");
-    Tree::from_str(&svg, &OPTIONS).map_or(0.0, |tree| tree.root().abs_bounding_box().right().into())
+    tree(&svg).map_or(0.0, |tree| tree.root().abs_bounding_box().right().into())
 }

@@ -51,8 +51,8 @@ pub(crate) struct LineSearch {
 /// Acceptance ratio ρ of the line search.
 ///
 /// The first increments of a slender beam bend it along straight tangents, which stretches its axis. The next
-/// increments remove the stretch: G grows by (δ/L)² EA L²/EI and decreases again. A strict search slows this down:
-/// PL²/EI = 10 takes 19 iterations without a search and 200 with ρ = 1. This value only affects beams more slender than
+/// increments remove the stretch: G grows by (δ/L)² EA L²/EI and decreases again. A strict search slows this down
+/// by a factor of ten. This value only affects beams more slender than
 /// L/d = 1000.
 const RATIO: f64 = 1e8;
 /// Maximum number of trial values of α.

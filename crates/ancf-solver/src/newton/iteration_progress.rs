@@ -11,8 +11,8 @@ pub(crate) struct IterationProgress {
     pub(crate) first: Option<f64>,
     /// Smallest energy of an increment so far.
     least: Option<f64>,
-    /// Largest energy of an increment so far.
-    pub(crate) largest: f64,
+    /// Largest energy of an increment after the first one, which balances the loads.
+    largest: f64,
     /// Energy of the last increment.
     pub(crate) last: Option<f64>,
     /// Smallest norm of the gaps of the constraints before an increment, in statics.
@@ -27,6 +27,11 @@ impl IterationProgress {
         self.last.map(|last| (energy / last).sqrt())
     }
 
+    /// Returns the largest energy of the last increment and of those after the first one.
+    pub(crate) fn largest(&self) -> Option<f64> {
+        self.last.map(|last| last.max(self.largest))
+    }
+
     /// Returns true if the energies have decreased by more than the stopping rule requires of a motion.
     ///
     /// Where joints carry all loads, there is no energy of a motion to compare with, and increments may decrease without limit. The
@@ -37,7 +42,9 @@ impl IterationProgress {
     }
 
     pub(crate) fn record(&mut self, energy: f64) {
-        self.largest = self.largest.max(energy);
+        if self.last.is_some() {
+            self.largest = self.largest.max(energy);
+        }
         let stagnant = self.least.is_some_and(|least| energy >= 0.5 * least);
         self.stagnant = if stagnant { self.stagnant + 1 } else { 0 };
         self.last = Some(energy);

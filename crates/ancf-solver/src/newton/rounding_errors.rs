@@ -68,8 +68,8 @@ impl Iterate<'_> {
         energy <= bound && work(r) <= FLOOR * work(floor)
     }
 
-    /// Returns true in statics if the state and all increments, with the largest one of an energy, have the energy of an increment
-    /// that rounding errors cause.
+    /// Returns true in statics if the state and the increments after the first one, the largest one of an energy, have the energy of
+    /// an increment that rounding errors cause.
     ///
     /// Where joints carry all loads, the displacements are rounding errors of the linear solution, of no common size with the
     /// residual. The increment that the factors give for a residual at its rounding bounds has the same errors, which

@@ -44,7 +44,7 @@ fn a_missing_mesh_is_an_error_of_its_line() {
     for arguments in [&["check", "part.toml"][..], &["run", "part.toml", "-o", "out"]] {
         let output = folder.ancf(arguments);
         assert_eq!(output.code, Some(2), "{arguments:?}");
-        let place = "part.toml:12:30";
+        let place = "part.toml:12:29";
         assert!(output.messages.contains(place), "{}", output.messages);
         assert!(output.messages.contains("found no file meshes/part.stl"), "{}", output.messages);
     }

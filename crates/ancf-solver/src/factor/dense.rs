@@ -1,5 +1,7 @@
 //! Dense kernels for supernodes in quads. They are called within [`pulp::Arch::dispatch`] and are therefore inlined.
 
+use std::ops::Range;
+
 use crate::sparse::{QUAD, Quad, SupernodeShape};
 
 /// Computes y += s x.
@@ -36,9 +38,22 @@ pub(crate) fn eliminate(
     inverse: &mut [f64],
     sizes: &mut [Quad],
 ) -> bool {
-    let mut good = true;
     sizes.fill([0.0; QUAD]);
-    for four in 0..shape.own() {
+    eliminate_quads(shape, 0..shape.own(), front, l, inverse, sizes)
+}
+
+/// Factorises some groups of four columns as in [`eliminate`], with earlier columns already subtracted.
+#[inline(always)]
+pub(crate) fn eliminate_quads(
+    shape: SupernodeShape,
+    fours: Range<usize>,
+    front: &mut [Quad],
+    l: &mut [Quad],
+    inverse: &mut [f64],
+    sizes: &mut [Quad],
+) -> bool {
+    let mut good = true;
+    for four in fours.clone() {
         let (own, inverse) = (&mut l[shape.columns_of(four)], &mut inverse[QUAD * four..]);
         let front_of = &mut front[QUAD * four * shape.height..];
         good &= match shape.columns - QUAD * four {
@@ -47,7 +62,7 @@ pub(crate) fn eliminate(
             2 => eliminate_columns::<2>(shape, four, front_of, own, inverse, sizes),
             _ => eliminate_columns::<1>(shape, four, front_of, own, inverse, sizes),
         };
-        for later in four + 1..shape.own() {
+        for later in four + 1..fours.end {
             let columns = QUAD.min(shape.columns - QUAD * later);
             let mut row = later;
             while row + 2 <= shape.height {

@@ -213,8 +213,9 @@ fn redundant_constraints() {
     assert!(difference(&y, &x) < 1e-9, "{:e}", difference(&y, &x));
     for k in 0..3 {
         let force = lambda[first + k];
-        [mu[first + k], mu[first + 3 + k]]
-            .map(|half| assert!((half - 0.5 * force).abs() < 1e-9 * force.abs()));
+        for half in [mu[first + k], mu[first + 3 + k]] {
+            assert!((half - 0.5 * force).abs() < 1e-9 * force.abs());
+        }
     }
 }
 

@@ -209,7 +209,7 @@ fn largest(row: &SparseVector) -> f64 {
 /// Returns the rows of Φ_q of a term in a state, one for each multiplier.
 pub fn constraint_rows(term: &dyn Term, s: &State) -> Vec<SparseVector> {
     let (coordinates, n, m) = (term.coordinates(), term.coordinates().len(), term.multipliers().len());
-    let mut storage = [0.0; LOCAL * LOCAL];
+    let mut storage = [0.0; LOCAL * (LOCAL + 1) / 2];
     let block = local_tangent(term, s, Weights { q: 0.0, v: 0.0, a: 0.0 }, &mut storage);
     let row = |k: usize| {
         let entries = coordinates.iter().enumerate().map(|(i, &c)| (c, block.get(n + k, i)));
@@ -243,7 +243,7 @@ pub(super) fn scaled_constraint_rows(
     let (mut mass, mut is_constrained) = (vec![0.0; coordinates], vec![false; coordinates]);
     let constraints = terms.iter().filter(|term| !term.multipliers().is_empty());
     constraints.flat_map(|term| term.coordinates()).for_each(|&c| is_constrained[c] = true);
-    let mut storage = [0.0; LOCAL * LOCAL];
+    let mut storage = [0.0; LOCAL * (LOCAL + 1) / 2];
     for term in terms.iter().filter(|term| term.coordinates().iter().any(|&c| is_constrained[c])) {
         let block = local_tangent(&**term, &s, Weights::MASS, &mut storage);
         term.coordinates().iter().enumerate().for_each(|(i, &c)| mass[c] += block.get(i, i));

@@ -10,7 +10,10 @@ use crate::sparse::{QUAD, Quad, SupernodeShape};
 /// Height in quads from which fronts are blocked. Smaller ones remain in the cache.
 const LARGE: usize = 32;
 /// Number of quads of columns of a panel.
-const PANEL: usize = 16;
+const PANEL: usize = 8;
+
+/// Number of quads of rows that are processed at once within a panel.
+const ROWS: usize = 4;
 
 /// Returns true if fronts of a shape are eliminated in blocks.
 #[inline(always)]
@@ -39,7 +42,7 @@ pub(crate) fn eliminate(
     sizes.fill([0.0; QUAD]);
     for first in (0..shape.own()).step_by(PANEL) {
         let end = (first + PANEL).min(shape.own());
-        good &= dense::eliminate_quads(shape, first..end, front, l, inverse, sizes);
+        good &= dense::eliminate_quads::<ROWS>(shape, first..end, front, l, inverse, sizes);
         let columns = QUAD * first..shape.columns.min(QUAD * end);
         let rows = shape.height - end;
         if rows == 0 {

@@ -112,6 +112,31 @@ impl Structure {
     }
 }
 
+/// Rod of constant length between two points, with their difference in the reference configuration.
+struct Rod {
+    coordinates: Vec<usize>,
+    multiplier: usize,
+    difference: [f64; 3],
+}
+
+impl Term for Rod {
+    fn coordinates(&self) -> &[usize] {
+        &self.coordinates
+    }
+    fn multipliers(&self) -> Range<usize> {
+        self.multiplier..self.multiplier + 1
+    }
+    fn residual(&self, _: &Local<'_>, _: &mut [f64]) {}
+    fn rounding(&self, _: &Local<'_>, _: &mut [f64]) {}
+    fn tangent(&self, at: &Local<'_>, _: Weights, k: &mut LocalMatrix<'_>) {
+        for i in 0..3 {
+            let entry = at.q[3 + i] - at.q[i] + self.difference[i];
+            k.add(6, i, -entry);
+            k.add(6, 3 + i, entry);
+        }
+    }
+}
+
 /// Solution of a system and of dense LU for the same right-hand side, and the factor.
 struct Solutions {
     sparse: Vec<f64>,
@@ -120,9 +145,13 @@ struct Solutions {
 }
 
 fn solutions(system: &System, w: Weights) -> Solutions {
+    solutions_in(system, &State::rest(system.coordinates(), system.multipliers()), w)
+}
+
+fn solutions_in(system: &System, s: &State, w: Weights) -> Solutions {
     let (n, m) = (system.coordinates(), system.multipliers());
     let mut k = system.matrix();
-    system.tangent(&State::rest(n, m), w, &mut k);
+    system.tangent(s, w, &mut k);
     let mut factor = Factor::new(k.pattern()).unwrap();
     factor.factorise(&k).unwrap();
     let b: Vec<f64> = (0..n + m).map(|i| ((i + 1) as f64 * 0.754_877_67).fract() - 0.5).collect();
@@ -250,5 +279,28 @@ fn random_structures() {
             }
             assert_alike(&found, structure.coordinates, 1e-7);
         }
+    }
+}
+
+/// A point that carries two rods at a right angle in the reference configuration, in states in which the rods are collinear but
+/// for an angle.
+#[test]
+fn rods_that_become_collinear() {
+    let mut structure = Structure::default();
+    let points: Vec<usize> = (0..3).map(|_| structure.chain(2, 1.0, 1e4)[0]).collect();
+    let terms = structure.parts.iter().map(|part| Box::new(part.clone()) as Box<dyn Term>);
+    let rod = |multiplier: usize, difference: [f64; 3]| -> Box<dyn Term> {
+        let [one, other] = [points[0], points[1 + multiplier]];
+        let coordinates = (one..one + 3).chain(other..other + 3).collect();
+        Box::new(Rod { coordinates, multiplier, difference })
+    };
+    let rods = [rod(0, [1.0, 0.0, 0.0]), rod(1, [0.0, 1.0, 0.0])];
+    let system = System::new(structure.coordinates, 2, terms.chain(rods).collect());
+    for angle in [1.0_f64, 1e-3, 1e-6, 1e-9, 0.0] {
+        let mut s = State::rest(structure.coordinates, 2);
+        let other = points[2];
+        s.q[other..other + 2].copy_from_slice(&[-angle.cos(), angle.sin() - 1.0]);
+        let found = solutions_in(&system, &s, dynamics(1e-3));
+        assert_alike(&found, structure.coordinates, 1e-7);
     }
 }

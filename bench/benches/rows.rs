@@ -9,6 +9,7 @@ use ancf_bench::Result;
 use ancf_bench::measure::{clock, sample};
 use ancf_bench::subjects::{
     CantileverKind, ElementEvaluation, Evaluation, LinearSolution, Subject, SystemEvaluation, TimeSteps,
+    cantilever,
 };
 use ancf_bench::table::{SMALL, STEPS, process};
 use criterion::measurement::{Measurement, ValueFormatter, WallTime};
@@ -62,7 +63,7 @@ impl Subject for ProgramRun {
     }
 
     fn run(&mut self) -> Result<()> {
-        black_box(process::program_cost(self.0, 20, 2000, 1)?);
+        black_box(process::program_cost(&cantilever(self.0, 20, 2000), 1)?);
         Ok(())
     }
 }

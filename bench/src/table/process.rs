@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::Result;
 use crate::measure::{clock, median};
-use crate::subjects::{CantileverKind, Plant, cantilever, step};
+use crate::subjects::{CantileverKind, Plant, step};
 
 /// Cost of a number of steps of a beam.
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]
@@ -77,14 +77,14 @@ fn kilobytes(file: &str, name: &str) -> f64 {
     number.map_or(f64::NAN, |number| 1024.0 * number)
 }
 
-/// Measures the CPU time of the program `ancf` for a cantilever, output files included, in seconds: the median of `runs` runs.
+/// Measures the CPU time of the program `ancf` for a model file, output files included, in seconds: the median of `runs` runs.
 ///
 /// # Errors
 /// If the program is not in the folder of this program, or fails.
-pub fn program_cost(kind: CantileverKind, elements: u32, steps: u32, runs: usize) -> Result<f64> {
+pub fn program_cost(text: &str, runs: usize) -> Result<f64> {
     let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
     let (model, out) = (folder.path().join("model.toml"), folder.path().join("out"));
-    fs::write(&model, cantilever(kind, elements, steps)).map_err(|error| error.to_string())?;
+    fs::write(&model, text).map_err(|error| error.to_string())?;
     let program = program()?;
     let one = |_| {
         let start = clock::of_children();

@@ -8,6 +8,7 @@ use crate::Result;
 use crate::measure::{Machine, SampleSize, median, sample, samples};
 use crate::subjects::{
     CantileverKind, ElementEvaluation, Evaluation, LinearSolution, Subject, SystemEvaluation, TimeSteps,
+    cantilever, lattice, net, platform,
 };
 
 /// Number of elements of small models.
@@ -36,7 +37,7 @@ impl RowSpec {
 }
 
 /// All rows.
-const ROWS: [(RowSpec, Measure); 13] = [
+const ROWS: [(RowSpec, Measure); 18] = [
     (row("elastic force", Microseconds, 0.30).against("Chrono", 1.02), RowMeasurements::force),
     (row("force and tangent", Microseconds, 1.2).against("Chrono", 8.8), RowMeasurements::force_and_tangent),
     (row("scatter", Microseconds, 0.25).against("Chrono", 4.8), RowMeasurements::scatter),
@@ -65,7 +66,27 @@ const ROWS: [(RowSpec, Measure); 13] = [
     (row("2 threads, n = 1e5", Gain, 1.7).large(), RowMeasurements::threads),
     (row("step, n = 1e6", Microseconds, 5.2).large(), RowMeasurements::most_steps),
     (row("step, n = 1e6 against n = 1e4", Factor, 1.3).large(), RowMeasurements::growth),
+    (row("step, platform on 1000 cables", Seconds, 0.005).large(), |_| {
+        structure_step(|n| platform(1000, n), 50)
+    }),
+    (row("first step, platform on 1000 cables", Seconds, 0.3).large(), |_| first_step(&platform(1000, 1))),
+    (row("step, lattice of 480 beams", Seconds, 0.06).large(), |_| structure_step(|n| lattice(5, n), 20)),
+    (row("first step, lattice of 1800 beams", Seconds, 2.0).large(), |_| first_step(&lattice(8, 1))),
+    (row("step, net of 40 x 40 knots", Seconds, 0.06).large(), |_| structure_step(|n| net(40, n), 50)),
 ];
+
+/// Cost of a step: difference of a long run and of one of a single step, in seconds.
+fn structure_step(text: impl Fn(u32) -> String, steps: u32) -> Result<MeasuredValue> {
+    let (long, short) = (process::program_cost(&text(steps), 1)?, process::program_cost(&text(1), 1)?);
+    let value = (long - short) / f64::from(steps - 1);
+    Ok(MeasuredValue { value, note: format!("mean of {steps} steps"), bound: None })
+}
+
+/// Cost of a run of one step, with reading, checks and the consistent start, in seconds.
+fn first_step(text: &str) -> Result<MeasuredValue> {
+    let value = process::program_cost(text, 1)?;
+    Ok(MeasuredValue { value, note: "from reading to results".to_owned(), bound: None })
+}
 
 /// Measurements of the rows of a table.
 #[derive(Debug)]
@@ -176,12 +197,12 @@ impl RowMeasurements {
     }
 
     fn whole_beam(&mut self) -> Result<MeasuredValue> {
-        let value = process::program_cost(CantileverKind::Beam, 20, 2000, 5)?;
+        let value = process::program_cost(&cantilever(CantileverKind::Beam, 20, 2000), 5)?;
         Ok(MeasuredValue { value, note: "with output files; Chrono without".to_owned(), bound: None })
     }
 
     fn whole_cable(&mut self) -> Result<MeasuredValue> {
-        let value = process::program_cost(CantileverKind::Cable, 20, 2000, 5)?;
+        let value = process::program_cost(&cantilever(CantileverKind::Cable, 20, 2000), 5)?;
         Ok(MeasuredValue { value, note: "with output files; EXUDYN without".to_owned(), bound: None })
     }
 

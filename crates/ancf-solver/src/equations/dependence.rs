@@ -1,8 +1,10 @@
 use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::sync::Arc;
 
 use super::state::{State, Weights};
 use super::term::{LOCAL, Local, LocalMatrix, Term};
 use crate::factor::SparseVector;
+use crate::sparse::ConstraintRow;
 
 /// Linear dependence of a row on earlier rows: Σ cᵢ rowᵢ = 0, where the last cᵢ belongs to the dependent row.
 #[derive(Clone, Debug, PartialEq)]
@@ -207,18 +209,62 @@ fn largest(row: &SparseVector) -> f64 {
 /// Returns the rows of Φ_q of a term in a state, one for each multiplier.
 pub fn constraint_rows(term: &dyn Term, s: &State) -> Vec<SparseVector> {
     let (coordinates, n, m) = (term.coordinates(), term.coordinates().len(), term.multipliers().len());
-    let zero = [0.0; LOCAL];
-    let mut q = [0.0; LOCAL];
-    coordinates.iter().enumerate().for_each(|(i, &c)| q[i] = s.q[c]);
-    let at = Local { q: &q[..n], v: &zero[..n], a: &zero[..n], lambda: &zero[..m], t: s.t, load: s.load };
-    let mut storage = [0.0; LOCAL * LOCAL];
-    let mut block = LocalMatrix::zero(n + m, &mut storage);
-    term.tangent(&at, Weights { q: 0.0, v: 0.0, a: 0.0 }, &mut block);
+    let mut storage = [0.0; LOCAL * (LOCAL + 1) / 2];
+    let block = local_tangent(term, s, Weights { q: 0.0, v: 0.0, a: 0.0 }, &mut storage);
     let row = |k: usize| {
         let entries = coordinates.iter().enumerate().map(|(i, &c)| (c, block.get(n + k, i)));
         entries.filter(|(_, x)| *x != 0.0).collect()
     };
     (0..m).map(row).collect()
+}
+
+/// Computes the tangent of a term in a state without motion and multipliers.
+fn local_tangent<'a>(term: &dyn Term, s: &State, w: Weights, storage: &'a mut [f64]) -> LocalMatrix<'a> {
+    let (coordinates, n, m) = (term.coordinates(), term.coordinates().len(), term.multipliers().len());
+    let zero = [0.0; LOCAL];
+    let mut q = [0.0; LOCAL];
+    coordinates.iter().enumerate().for_each(|(i, &c)| q[i] = s.q[c]);
+    let at = Local { q: &q[..n], v: &zero[..n], a: &zero[..n], lambda: &zero[..m], t: s.t, load: s.load };
+    let mut block = LocalMatrix::zero(n + m, storage);
+    term.tangent(&at, w, &mut block);
+    block
+}
+
+/// Returns the rows of Φ_q in the reference configuration, with columns scaled by M_cc^(−1/2), indexed by multiplier.
+///
+/// Rows without entries, with coordinates without mass or of several terms, such as those of a slider, are empty.
+pub(super) fn scaled_constraint_rows(
+    terms: &[Arc<dyn Term>],
+    coordinates: usize,
+    multipliers: usize,
+) -> Vec<ConstraintRow> {
+    let (mut rows, mut occurrences) = (vec![ConstraintRow::new(); multipliers], vec![0; multipliers]);
+    let s = State::rest(coordinates, multipliers);
+    let (mut mass, mut is_constrained) = (vec![0.0; coordinates], vec![false; coordinates]);
+    let constraints = terms.iter().filter(|term| !term.multipliers().is_empty());
+    constraints.flat_map(|term| term.coordinates()).for_each(|&c| is_constrained[c] = true);
+    let mut storage = [0.0; LOCAL * (LOCAL + 1) / 2];
+    for term in terms.iter().filter(|term| term.coordinates().iter().any(|&c| is_constrained[c])) {
+        let block = local_tangent(&**term, &s, Weights::MASS, &mut storage);
+        term.coordinates().iter().enumerate().for_each(|(i, &c)| mass[c] += block.get(i, i));
+        let n = term.coordinates().len();
+        for (k, multiplier) in term.multipliers().enumerate() {
+            occurrences[multiplier] += 1;
+            let entries =
+                term.coordinates().iter().enumerate().map(|(i, &c)| (c as u32, block.get(n + k, i)));
+            rows[multiplier] = entries.collect();
+        }
+    }
+    for (row, occurrences) in rows.iter_mut().zip(occurrences) {
+        for (c, entry) in &mut *row {
+            *entry /= mass[*c as usize].max(0.0).sqrt();
+        }
+        let is_determined = occurrences == 1 && row.iter().all(|(_, entry)| entry.is_finite());
+        if !is_determined || row.iter().all(|(_, entry)| *entry == 0.0) {
+            row.clear();
+        }
+    }
+    rows
 }
 
 /// Returns the number of linearly dependent rows of Φ_q in a state.

@@ -9,7 +9,7 @@ use super::batch::{Batch, GatheredLanes, LocalLanes, LowerLanes, PlacedBatch};
 use super::contact_pairs::{
     ActivePair, ContactSearch, acting_pairs, is_missing, is_near_missing, near_pairs, with_pairs,
 };
-use super::dependence::redundant_rows;
+use super::dependence::{redundant_rows, scaled_constraint_rows};
 use super::energy::{Energy, Level, Power};
 use super::motion_equations::EquationsOfMotion;
 use super::scatter::Scatter;
@@ -18,7 +18,7 @@ use super::stiffness_products::{StiffnessProducts, stiffness_products};
 use super::term::{LOCAL, Local, LocalMatrix, Term};
 use super::term_sums::{LocalEnds, LocalState, Rotation, largest_rotation, powers, skew_stiffness, unknowns};
 use super::thread_parts::{ThreadParts, enclosing_range};
-use crate::sparse::{IndexLists, Pattern, SparseMatrix};
+use crate::sparse::{ConstraintRow, IndexLists, Pattern, SparseMatrix};
 
 /// Equations of motion as a sum of terms: gather, evaluate, scatter.
 pub struct System {
@@ -28,8 +28,9 @@ pub struct System {
     /// Searches that add terms, and the pairs of the last terms in ascending order.
     searches: Arc<[Arc<dyn ContactSearch>]>,
     active: Vec<ActivePair>,
-    /// Indices of the terms with multipliers.
+    /// Indices of the terms with multipliers, and the rows that determine the order of elimination.
     constraints: Vec<usize>,
+    rows: Arc<[ConstraintRow]>,
     pattern: Arc<Pattern>,
     /// Coordinates that are angles with counted turns.
     angles: Vec<usize>,
@@ -56,8 +57,9 @@ impl System {
     /// If a term has more than [`LOCAL`] unknowns or an unknown out of range. This is a programming error, not an input
     /// error.
     pub fn new(coordinates: usize, multipliers: usize, terms: Vec<Box<dyn Term>>) -> Self {
-        let terms = terms.into_iter().map(Arc::from).collect();
-        Self::from_terms(coordinates, multipliers, terms, Arc::default(), Vec::new())
+        let terms: Vec<_> = terms.into_iter().map(Arc::from).collect();
+        let rows = scaled_constraint_rows(&terms, coordinates, multipliers).into();
+        Self::from_terms(coordinates, rows, terms, Arc::default(), Vec::new())
     }
 
     /// Adds searches for terms that are active in some states only.
@@ -71,7 +73,7 @@ impl System {
 
     fn from_terms(
         coordinates: usize,
-        multipliers: usize,
+        rows: Arc<[ConstraintRow]>,
         terms: Vec<Arc<dyn Term>>,
         searches: Arc<[Arc<dyn ContactSearch>]>,
         active: Vec<ActivePair>,
@@ -80,23 +82,23 @@ impl System {
         assert!(blocks.iter().all(|block| block.len() <= LOCAL), "a term has at most {LOCAL} unknowns");
         let defining = terms.iter().filter(|term| !term.massless().is_empty());
         let defined: Vec<_> = defining.map(|term| (term.massless().to_vec(), term.multipliers())).collect();
-        let pattern = Pattern::new(coordinates, multipliers, &blocks, &defined);
+        let pattern = Pattern::new(coordinates, &rows, &blocks, &defined);
         let scatters = blocks.iter().map(|unknowns| Scatter::new(&pattern, unknowns)).collect();
         let constraints = (0..terms.len()).filter(|&i| !terms[i].multipliers().is_empty()).collect();
         let angles = terms.iter().filter_map(|term| term.counted_angle()).collect();
-        let (pattern, unbatched, batches) = (Arc::new(pattern), (0..terms.len()).collect(), Arc::default());
         Self {
             coordinates,
-            multipliers,
+            multipliers: rows.len(),
+            unbatched: (0..terms.len()).collect(),
             terms,
             searches,
             active,
             constraints,
-            pattern,
+            rows,
+            pattern: Arc::new(pattern),
             angles,
             scatters,
-            batches,
-            unbatched,
+            batches: Arc::default(),
             by_rows: ThreadParts::new(&[]),
             by_entries: ThreadParts::new(&[]),
         }
@@ -108,8 +110,8 @@ impl System {
     /// If the terms of a batch differ in size. This is a programming error, not an input error.
     #[must_use]
     pub fn with_batches(self, batches: impl IntoIterator<Item = (usize, Box<dyn Batch>)>) -> Self {
-        let batches = batches.into_iter().map(|(first, batch)| PlacedBatch::new(first, batch, &self.terms));
-        let batches = batches.collect();
+        let place = |(first, batch)| PlacedBatch::new(first, batch, &self.terms);
+        let batches = batches.into_iter().map(place).collect();
         self.in_batches(batches)
     }
 
@@ -130,11 +132,10 @@ impl System {
     fn with_pair_terms(&self, active: Vec<ActivePair>) -> (Self, SparseMatrix) {
         let lasting = self.terms[..self.terms.len() - self.active.len()].iter().cloned();
         let terms = lasting.chain(active.iter().map(|&(i, pair)| self.searches[i].term(pair))).collect();
-        let system =
-            Self::from_terms(self.coordinates, self.multipliers, terms, Arc::clone(&self.searches), active)
-                .in_batches(Arc::clone(&self.batches));
-        let system =
-            system.with_shared_multipliers(self.pattern.sharing().map(|unknown| unknown - self.coordinates));
+        let (rows, searches) = (Arc::clone(&self.rows), Arc::clone(&self.searches));
+        let system = Self::from_terms(self.coordinates, rows, terms, searches, active)
+            .in_batches(Arc::clone(&self.batches))
+            .with_shared_multipliers(self.pattern.sharing().map(|unknown| unknown - self.coordinates));
         let matrix = system.matrix();
         (system, matrix)
     }
@@ -144,8 +145,7 @@ impl System {
     /// The factorisation distributes their forces in the least-squares sense ([`Factor`](crate::factor::Factor)).
     #[must_use]
     pub fn with_shared_multipliers(mut self, multipliers: impl IntoIterator<Item = usize>) -> Self {
-        let coordinates = self.coordinates;
-        let unknowns = multipliers.into_iter().map(|multiplier| coordinates + multiplier);
+        let unknowns = multipliers.into_iter().map(|multiplier| self.coordinates + multiplier);
         Arc::make_mut(&mut self.pattern).share(unknowns);
         self
     }

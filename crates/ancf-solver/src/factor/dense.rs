@@ -1,5 +1,7 @@
 //! Dense kernels for supernodes in quads. They are called within [`pulp::Arch::dispatch`] and are therefore inlined.
 
+use std::ops::Range;
+
 use crate::sparse::{QUAD, Quad, SupernodeShape};
 
 /// Computes y += s x.
@@ -36,9 +38,35 @@ pub(crate) fn eliminate(
     inverse: &mut [f64],
     sizes: &mut [Quad],
 ) -> bool {
-    let mut good = true;
     sizes.fill([0.0; QUAD]);
-    for four in 0..shape.own() {
+    eliminate_quads::<2>(shape, 0..shape.own(), front, l, inverse, sizes)
+}
+
+/// Factorises some groups of four columns as in [`eliminate`], with earlier columns already subtracted. `N` quads of rows are
+/// processed at once.
+#[inline(always)]
+pub(crate) fn eliminate_quads<const N: usize>(
+    shape: SupernodeShape,
+    fours: Range<usize>,
+    front: &mut [Quad],
+    l: &mut [Quad],
+    inverse: &mut [f64],
+    sizes: &mut [Quad],
+) -> bool {
+    let mut good = true;
+    for four in fours.clone() {
+        if four > fours.start {
+            let columns = QUAD.min(shape.columns - QUAD * four);
+            let mut row = four;
+            while row + N <= shape.height {
+                subtract_from_own::<N>(shape, front, l, fours.start..four, columns, row);
+                row += N;
+            }
+            while row < shape.height {
+                subtract_from_own::<1>(shape, front, l, fours.start..four, columns, row);
+                row += 1;
+            }
+        }
         let (own, inverse) = (&mut l[shape.columns_of(four)], &mut inverse[QUAD * four..]);
         let front_of = &mut front[QUAD * four * shape.height..];
         good &= match shape.columns - QUAD * four {
@@ -47,17 +75,6 @@ pub(crate) fn eliminate(
             2 => eliminate_columns::<2>(shape, four, front_of, own, inverse, sizes),
             _ => eliminate_columns::<1>(shape, four, front_of, own, inverse, sizes),
         };
-        for later in four + 1..shape.own() {
-            let columns = QUAD.min(shape.columns - QUAD * later);
-            let mut row = later;
-            while row + 2 <= shape.height {
-                subtract_from_own::<2>(shape, front, l, four, later, columns, row);
-                row += 2;
-            }
-            if row < shape.height {
-                subtract_from_own::<1>(shape, front, l, four, later, columns, row);
-            }
-        }
     }
     good
 }
@@ -162,22 +179,25 @@ fn subtract<const N: usize>(
     }
 }
 
+/// Subtracts the products of earlier groups of columns from some quads of rows of the next group.
 #[inline(always)]
 fn subtract_from_own<const N: usize>(
     shape: SupernodeShape,
     front: &mut [Quad],
     l: &[Quad],
-    four: usize,
-    later: usize,
+    earlier: Range<usize>,
     columns: usize,
     row: usize,
 ) {
+    let later = earlier.end;
     let mut sums = [[[0.0; QUAD]; N]; QUAD];
     let place = |c: usize| (QUAD * later + c) * shape.height + row;
     for c in 0..columns {
         sums[c].copy_from_slice(&front[place(c)..place(c) + N]);
     }
-    subtract(shape, front, l, four, later, row, &mut sums);
+    for four in earlier {
+        subtract(shape, front, l, four, later, row, &mut sums);
+    }
     for c in 0..columns {
         front[place(c)..place(c) + N].copy_from_slice(&sums[c]);
     }

@@ -2,6 +2,7 @@ use std::ops::Range;
 
 use pulp::{Arch, NullaryFnOnce};
 
+use super::large_front;
 use super::substitution::{Backward, Forward, SubtractProduct, SubtreeView, add_outside, copy_outside};
 use crate::sparse::{
     MIN_SUBTREE, QUAD, Quad, Subtree, Subtrees, Supernode, SupernodeShape, Supernodes, VectorSection,
@@ -40,6 +41,8 @@ struct WorkSpace {
     /// Sections of vectors with the height of a supernode.
     part: Vec<Quad>,
     product: Vec<Quad>,
+    /// Factor of a panel of a large front.
+    panel: Vec<Quad>,
     /// Rows of a vector outside the subtree.
     outside: Vec<f64>,
 }
@@ -59,6 +62,7 @@ impl WorkSpace {
             stack: vec![[0.0; QUAD]; stack_height(supernodes, ranges, subtrees)],
             top: Some(0),
             product: part.clone(),
+            panel: most(|shape, _| large_front::storage(shape)),
             part,
             outside: vec![0.0; outside],
         }
@@ -249,7 +253,7 @@ impl NullaryFnOnce for Factorise<'_> {
 
     #[inline(always)]
     fn call(mut self) {
-        let WorkSpace { front, stack, part: sizes, top: space_top, .. } = self.space;
+        let WorkSpace { front, stack, part: sizes, panel, top: space_top, .. } = self.space;
         let Some(mut top) = *space_top else { return };
         for at in self.range {
             let supernode = &self.supernodes.list[at];
@@ -266,6 +270,7 @@ impl NullaryFnOnce for Factorise<'_> {
                 front,
                 stack,
                 sizes,
+                panel,
                 top,
                 updates,
             };
@@ -296,6 +301,7 @@ struct EliminationStep<'a> {
     front: &'a mut [Quad],
     stack: &'a mut [Quad],
     sizes: &'a mut [Quad],
+    panel: &'a mut [Quad],
     /// Number of quads on the stack.
     top: usize,
     updates: SubtreeUpdates<'a>,
@@ -320,9 +326,15 @@ impl EliminationStep<'_> {
             };
             super::front::extend_add(shape, front, self.supernodes.runs(child), form, update);
         }
-        let good = super::dense::eliminate(shape, front, self.l, self.inverse, &mut self.sizes[..own]);
         let form = self.supernode.update();
-        super::dense::update(shape, front, self.l, &mut self.stack[top..top + form.size()]);
+        let (sizes, update) = (&mut self.sizes[..own], &mut self.stack[top..top + form.size()]);
+        let good = if large_front::is_large(shape) {
+            large_front::eliminate(shape, front, self.l, self.inverse, sizes, self.panel, update)
+        } else {
+            let good = super::dense::eliminate(shape, front, self.l, self.inverse, sizes);
+            super::dense::update(shape, front, self.l, update);
+            good
+        };
         good.then_some(top + form.size())
     }
 }
@@ -340,7 +352,7 @@ mod tests {
         let node = |n: u32| 3 * n..3 * n + 3;
         let links = (1..600).map(|n| (if n % 60 == 0 { n - 60 } else { n - 1 }, n));
         let blocks: IndexLists = links.map(|(a, b)| node(a).chain(node(b)).collect::<Vec<_>>()).collect();
-        let pattern = Pattern::new(1800, 0, &blocks, &[]);
+        let pattern = Pattern::new(1800, &[], &blocks, &[]);
         let supernodes = pattern.supernodes();
         let mut k = vec![0.0; supernodes.entries()];
         for (i, j) in

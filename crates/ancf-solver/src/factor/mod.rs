@@ -4,6 +4,7 @@ mod dense;
 mod factorisation;
 mod front;
 mod inertia;
+mod large_front;
 mod ldlt;
 mod null_space;
 mod scaled_lu;

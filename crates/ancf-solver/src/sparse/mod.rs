@@ -1,13 +1,19 @@
 //! Sparse symmetric matrices: pattern, elimination order and supernodes.
 
+mod amalgamation;
+mod carriers;
 mod elimination;
 mod index_lists;
 mod matrix;
 mod ordering;
 mod pattern;
+#[cfg(test)]
+mod structures;
 mod subtrees;
 mod supernodes;
+mod symbolic;
 
+pub(crate) use carriers::ConstraintRow;
 pub(crate) use index_lists::IndexLists;
 pub use matrix::SparseMatrix;
 pub use pattern::Pattern;

@@ -5,6 +5,7 @@ use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::sparse::SymbolicSparseColMatRef;
 use faer::sparse::linalg::amd;
 
+use super::carriers::{ConstraintRow, carried_places};
 use super::index_lists::IndexLists;
 
 /// Massless coordinates of a term and the multipliers that determine them.
@@ -20,16 +21,18 @@ pub(crate) struct Ranks {
 }
 
 impl Ranks {
-    /// Ranks the unknowns of a sum of dense blocks.
+    /// Ranks the unknowns of a sum of dense blocks, with the row of each multiplier.
     pub(crate) fn new(
         coordinates: usize,
-        multipliers: usize,
+        rows: &[ConstraintRow],
         blocks: &IndexLists,
         massless: &[Massless],
     ) -> Self {
+        let multipliers = rows.len();
         let groups = ordered_groups(coordinates, blocks);
         let mut rank = vec![None; coordinates];
         groups.iter().flatten().zip(0..).for_each(|(&c, place)| rank[c as usize] = Some(place));
+        let carried = carried_places(&groups, &rank, blocks, rows);
         let all_massless = || massless.iter().flat_map(|(late, _)| late.iter().copied());
         let mut is_massless = vec![false; coordinates];
         all_massless().for_each(|c| (is_massless[c], rank[c]) = (true, None));
@@ -43,7 +46,7 @@ impl Ranks {
             late.iter().for_each(|&c| rank[c] = rank[c].max(last));
         }
         let after = last_coordinates(multipliers, blocks, &rank);
-        let rank_of = |m: usize| if defines[m] { before[m] } else { after[m] };
+        let rank_of = |m: usize| if defines[m] { before[m] } else { carried[m].or(after[m]) };
         rank.extend((0..multipliers).map(rank_of));
         let of = |kind: bool| (0..multipliers).filter(move |&m| defines[m] == kind).map(|m| coordinates + m);
         // Order of the unknowns within a rank.
@@ -52,7 +55,7 @@ impl Ranks {
         let late = (0..coordinates).filter(|&c| is_massless[c]);
         let sequence = regular.chain(defining).chain(late).chain(other);
         let pairs = sequence.map(|unknown| (rank[unknown].unwrap_or(end), unknown as u32));
-        let labels = labels(coordinates, multipliers, blocks, &is_massless);
+        let labels = labels(&groups, coordinates + multipliers, blocks, &is_massless);
         let placed = IndexLists::by_key(coordinates + 1, pairs);
         let mut places = placed.iter();
         let of_groups = groups.iter().map(|group| group.len()).chain(iter::once(1));
@@ -62,16 +65,19 @@ impl Ranks {
     }
 }
 
-/// Labels coordinates with mass by zero and all other unknowns by the number of their first block.
-fn labels(coordinates: usize, multipliers: usize, blocks: &IndexLists, is_massless: &[bool]) -> Vec<u32> {
-    let mut labels = vec![0; coordinates + multipliers];
-    for (b, block) in blocks.iter().enumerate() {
-        let special = |u: usize| u >= coordinates || is_massless[u];
-        for unknown in block.iter().map(|&u| u as usize).filter(|&u| special(u)) {
+/// Labels coordinates with mass by their group, and all other unknowns by their first block.
+fn labels(groups: &IndexLists, unknowns: usize, blocks: &IndexLists, is_massless: &[bool]) -> Vec<u32> {
+    let mut labels = vec![0; unknowns];
+    let is_special = |u: usize| is_massless.get(u).is_none_or(|is_massless| *is_massless);
+    for (block, label) in blocks.iter().zip(1..) {
+        for unknown in block.iter().map(|&u| u as usize).filter(|&u| is_special(u)) {
             if labels[unknown] == 0 {
-                labels[unknown] = b as u32 + 1;
+                labels[unknown] = label;
             }
         }
+    }
+    for (group, label) in groups.iter().zip(blocks.len() as u32 + 1..) {
+        group.iter().filter(|&&c| !is_special(c as usize)).for_each(|&c| labels[c as usize] = label);
     }
     labels
 }

@@ -1,3 +1,4 @@
+use super::carriers::ConstraintRow;
 use super::elimination::EliminationOrder;
 use super::index_lists::IndexLists;
 use super::ordering::{Massless, Ranks};
@@ -7,7 +8,7 @@ use super::supernodes::Supernodes;
 ///
 /// Coordinates are ordered on the graph of *groups*. A group contains coordinates with the same terms, such as those of
 /// a node. Trees of groups are eliminated from their leaves, and the remainder by minimum degree. Each multiplier
-/// follows the last group that it touches. Its Schur complement is then negative definite. Massless coordinates follow
+/// follows the first group that can carry it. Its Schur complement is then negative definite. Massless coordinates follow
 /// the multipliers that determine them, and their Schur complement is positive.
 ///
 /// A group with its followers forms a *supernode*, which is eliminated at once. Matrices and factors have the same
@@ -42,16 +43,16 @@ pub(crate) struct Border {
 
 impl Pattern {
     /// Creates the pattern of a sum of dense blocks over the given unknowns. Multipliers are numbered after
-    /// coordinates.
+    /// coordinates, and each has a row.
     ///
     /// `massless` lists coordinates without mass and the multipliers that determine them.
     pub(crate) fn new(
         coordinates: usize,
-        multipliers: usize,
+        rows: &[ConstraintRow],
         blocks: &IndexLists,
         massless: &[Massless],
     ) -> Self {
-        let ranks = Ranks::new(coordinates, multipliers, blocks, massless);
+        let ranks = Ranks::new(coordinates, rows, blocks, massless);
         let EliminationOrder { order, supernodes } = EliminationOrder::new(&ranks, blocks);
         let mut position = vec![0; order.len()];
         for (&unknown, at) in order.iter().zip(0..) {

@@ -165,7 +165,7 @@ mod tests {
     /// Checks that subtrees and trunk partition all supernodes. Outside a subtree, only rows of its root may occur.
     fn checked(links: impl Iterator<Item = (u32, u32)>, nodes: usize) -> Subtrees {
         let blocks: IndexLists = links.map(|(a, b)| vec![a, b]).collect();
-        let pattern = Pattern::new(nodes, 0, &blocks, &[]);
+        let pattern = Pattern::new(nodes, &[], &blocks, &[]);
         let supernodes = pattern.supernodes();
         let found = Subtrees::new(supernodes, MIN_SUBTREE);
         let mut all: Vec<usize> = found.trunk.iter().cloned().flatten().collect();

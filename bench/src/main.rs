@@ -41,6 +41,12 @@ enum Task {
     /// Print the cost of steps of a beam; the table runs this in separate processes.
     #[command(hide = true)]
     Steps { elements: u32, steps: u32 },
+    /// Print the cost of a run of ancf; the table runs this in separate processes.
+    #[command(hide = true)]
+    Program {
+        #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
+        arguments: Vec<String>,
+    },
     /// Run work a number of times under valgrind.
     #[command(hide = true)]
     Work { name: String, times: u32 },
@@ -51,6 +57,9 @@ fn main() -> ExitCode {
         Task::Table { quick, rows, json } => table(quick, &rows, json),
         Task::Instructions { update } => instructions(update),
         Task::Steps { elements, steps } => process::step_cost_here(elements, steps)
+            .and_then(|cost| serde_json::to_string(&cost).map_err(|error| error.to_string()))
+            .and_then(|text| print(&text)),
+        Task::Program { arguments } => process::program_run_here(&arguments)
             .and_then(|cost| serde_json::to_string(&cost).map_err(|error| error.to_string()))
             .and_then(|text| print(&text)),
         Task::Work { name, times } => run_work(&name, times),

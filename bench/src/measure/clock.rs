@@ -1,4 +1,4 @@
-//! CPU time, which is independent of the other load of the machine.
+//! CPU time, which is independent of the other load of the machine, and memory.
 
 /// CPU time of this process in seconds, summed over all threads.
 ///
@@ -18,6 +18,19 @@ pub fn of_children() -> f64 {
     let seconds = |t: TimeVal| t.tv_sec() as f64 + 1e-6 * t.tv_usec() as f64;
     getrusage(UsageWho::RUSAGE_CHILDREN)
         .map_or(f64::NAN, |usage| seconds(usage.user_time()) + seconds(usage.system_time()))
+}
+
+/// Maximum resident memory of all terminated child processes in bytes.
+#[cfg(unix)]
+pub fn memory_of_children() -> f64 {
+    use nix::sys::resource::{UsageWho, getrusage};
+    getrusage(UsageWho::RUSAGE_CHILDREN).map_or(f64::NAN, |usage| 1024.0 * usage.max_rss() as f64)
+}
+
+/// Not available on this system.
+#[cfg(not(unix))]
+pub fn memory_of_children() -> f64 {
+    f64::NAN
 }
 
 /// Wall-clock time in seconds, on systems without CPU time.

@@ -3,6 +3,7 @@
 mod cantilever;
 mod element_evaluation;
 mod element_kernels;
+pub mod large_models;
 mod linear_solution;
 mod plant;
 mod result;

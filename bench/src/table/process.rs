@@ -1,7 +1,7 @@
 //! Measurements in separate processes: memory, threads, and the program `ancf`.
 
 use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::Instant;
 
@@ -97,6 +97,46 @@ pub fn program_cost(text: &str, runs: usize) -> Result<f64> {
         Ok(clock::of_children() - start)
     };
     (0..runs).map(one).collect::<Result<_>>().map(median)
+}
+
+/// Cost of a run of the program `ancf`.
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+pub struct ProgramCost {
+    /// CPU time in seconds.
+    pub processor: f64,
+    /// Maximum resident memory in bytes.
+    pub memory: f64,
+}
+
+/// Measures a run of the program `ancf` with one thread in a folder.
+///
+/// A separate process runs the program, because the system reports the memory of all child processes together.
+///
+/// # Errors
+/// If the program is not in the folder of this program, or fails.
+pub fn program_run(folder: &Path, arguments: &[&str]) -> Result<ProgramCost> {
+    let own = std::env::current_exe().map_err(|error| error.to_string())?;
+    let mut command = Command::new(own);
+    let command = command.arg("program").args(arguments).current_dir(folder).env("RAYON_NUM_THREADS", "1");
+    let output = command.stderr(Stdio::inherit()).output().map_err(|error| error.to_string())?;
+    if !output.status.success() {
+        return Err(format!("ancf {}: {}", arguments.join(" "), output.status));
+    }
+    serde_json::from_slice(&output.stdout).map_err(|error| error.to_string())
+}
+
+/// Measures a run of the program `ancf`. It is the only child process of this process.
+///
+/// # Errors
+/// If the program is not in the folder of this program, or fails.
+pub fn program_run_here(arguments: &[String]) -> Result<ProgramCost> {
+    let program = program()?;
+    let run = Command::new(&program).args(arguments).stdout(Stdio::null()).stderr(Stdio::null()).status();
+    let status = run.map_err(|error| format!("{}: {error}", program.display()))?;
+    if !status.success() {
+        return Err(format!("ancf {}: {status}", arguments.join(" ")));
+    }
+    Ok(ProgramCost { processor: clock::of_children(), memory: clock::memory_of_children() })
 }
 
 /// Path of the program `ancf`, built together with this program.

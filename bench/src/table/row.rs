@@ -20,7 +20,7 @@ pub struct RowSpec {
 /// Unit of a row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub enum RowUnit {
-    /// Microseconds of CPU time per element.
+    /// Microseconds of CPU time per element or body.
     #[serde(rename = "us")]
     Microseconds,
     /// Seconds of CPU time.
@@ -29,6 +29,9 @@ pub enum RowUnit {
     /// Kilobytes per element.
     #[serde(rename = "kB")]
     Kilobytes,
+    /// Megabytes.
+    #[serde(rename = "MB")]
+    Megabytes,
     /// Factor by which wall-clock time decreases. Larger is better.
     #[serde(rename = "x less")]
     Gain,
@@ -44,6 +47,7 @@ impl RowUnit {
             Self::Microseconds => "us",
             Self::Seconds => "s",
             Self::Kilobytes => "kB",
+            Self::Megabytes => "MB",
             Self::Gain | Self::Factor => "x",
         }
     }

@@ -1,9 +1,9 @@
 use std::collections::BTreeMap;
 
-use super::lower_bounds;
 use super::process::{self, StepCost};
 use super::row::RowUnit::{Factor, Gain, Kilobytes, Microseconds, Seconds};
 use super::row::{LimitingResource, LowerBound, MeasuredValue, RowSpec, RowUnit, TableRow};
+use super::{large_model_rows, lower_bounds};
 use crate::Result;
 use crate::measure::{Machine, SampleSize, median, sample, samples};
 use crate::subjects::{
@@ -108,12 +108,16 @@ impl RowMeasurements {
         selected: impl Fn(&RowSpec) -> bool,
         mut report: impl FnMut(&str),
     ) -> Vec<TableRow> {
-        let rows = ROWS.iter().filter(|(spec, _)| selected(spec));
-        let measure = |(spec, measure): &(RowSpec, Measure)| {
+        let mut rows = Vec::new();
+        for (spec, measure) in ROWS.iter().filter(|(spec, _)| selected(spec)) {
             report(spec.name);
-            TableRow::new(spec, measure(self))
-        };
-        rows.map(measure).collect()
+            rows.push(TableRow::new(spec, measure(self)));
+        }
+        for (spec, measure) in large_model_rows::ROWS.iter().filter(|(spec, _)| selected(spec)) {
+            report(spec.name);
+            rows.push(TableRow::new(spec, measure()));
+        }
+        rows
     }
 
     /// Minimum time of operations in microseconds.

@@ -16,3 +16,4 @@ pub use distributed::ElementSpan;
 pub use mesh::{BeamMesh, MeshParameters};
 pub use rod_gaps::RodGap;
 pub use section_frames::{CarriedFrame, normals_to};
+pub use strains::SectionStrain;

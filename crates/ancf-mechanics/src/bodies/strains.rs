@@ -3,7 +3,28 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::mesh::{BeamMesh, StressLaw};
 use crate::kinematics::VectorKind;
-use crate::sections::{DIRECTORS, Directors, all_strains, linked_strain_terms, local_strains};
+use crate::sections::{DIRECTORS, Directors, Strains, all_strains, linked_strain_terms, local_strain};
+
+/// Strain in a section of a flexible body.
+#[derive(Clone, Copy, Debug)]
+pub struct SectionStrain {
+    /// Reference directors.
+    g0: Directors,
+    /// Strains of the pairs of directors.
+    products: Strains,
+    /// Stretch ε of a cable, which has no strain in the section.
+    stretch: Option<f64>,
+}
+
+impl SectionStrain {
+    /// Returns the Green-Lagrange strain at (y, z) in the frame of the reference section, or the stretch of a cable.
+    pub fn at(&self, [y, z]: [f64; 2]) -> Matrix3<f64> {
+        if let Some(stretch) = self.stretch {
+            return Matrix3::from_diagonal(&Vector3::new(stretch, 0.0, 0.0));
+        }
+        local_strain(&self.g0, &self.products, y, z)
+    }
+}
 
 impl BeamMesh {
     /// Returns the Green-Lagrange strain and the second Piola-Kirchhoff stress at (y, z) of the section at an arc
@@ -13,28 +34,27 @@ impl BeamMesh {
     /// stresses E times normal strains, plus the stress of lateral contraction on the axis. Shear stresses are G times
     /// shear strains, without torsion and shear correction factors, which are averages over a section. A cable has
     /// stretch ε and stress E ε.
-    pub fn strain_and_stress(&self, state: &State, s: f64, [y, z]: [f64; 2]) -> [Matrix3<f64>; 2] {
-        let (g0, u, xi) = self.directors(state, s);
-        if self.elasticity == StressLaw::Line {
-            let (length, moved) = (g0[0].norm(), (g0[0] + u[0]).norm());
-            let stretch = moved / length - 1.0;
-            let along = Matrix3::from_diagonal(&Vector3::new(stretch, 0.0, 0.0));
-            return [along, along * self.lame.young()];
+    pub fn strain_and_stress(&self, state: &State, s: f64, point: [f64; 2]) -> [Matrix3<f64>; 2] {
+        let section = self.section_strain(state, s);
+        let strain = section.at(point);
+        if section.stretch.is_some() {
+            return [strain, strain * self.lame.young()];
         }
+        [strain, self.stress(&strain, &section.at([0.0; 2]))]
+    }
+
+    /// Returns the strain in the section at an arc length.
+    pub fn section_strain(&self, state: &State, s: f64) -> SectionStrain {
+        let (g0, u, xi) = self.directors(state, s);
         let mut products = all_strains(&g0, &u);
         if self.elasticity == (StressLaw::Rod { linked: true }) {
             for (strain, added, factor) in linked_strain_terms(xi, self.length) {
                 products[strain] += factor * products[added];
             }
         }
-        let at = |y: f64, z: f64| {
-            let (rows, _) = local_strains(&g0, y, z);
-            let [xx, yy, zz, xy, xz, yz] =
-                rows.map(|row| row.iter().zip(&products).map(|(row, product)| row * product).sum::<f64>());
-            Matrix3::new(xx, 0.5 * xy, 0.5 * xz, 0.5 * xy, yy, 0.5 * yz, 0.5 * xz, 0.5 * yz, zz)
-        };
-        let strain = at(y, z);
-        [strain, self.stress(&strain, &at(0.0, 0.0))]
+        let is_line = self.elasticity == StressLaw::Line;
+        let stretch = is_line.then(|| (g0[0] + u[0]).norm() / g0[0].norm() - 1.0);
+        SectionStrain { g0, products, stretch }
     }
 
     /// Returns the stress of a strain. The rod law also depends on the strain on the axis.

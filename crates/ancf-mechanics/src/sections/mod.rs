@@ -7,8 +7,10 @@ mod section_strains;
 
 pub use hyperelastic::{NeoHookean, SectionPoint};
 pub use rod_law::{CrossSection, Moments};
-pub(crate) use rod_law::{linked_strain_terms, local_strains, straight};
-pub(crate) use section_law::{DIRECTORS, NO_STIFFNESS, PAIRS, STRAINS, SectionMatrix, add, all_strains, sum};
+pub(crate) use rod_law::{linked_strain_terms, local_strain, straight};
+pub(crate) use section_law::{
+    DIRECTORS, NO_STIFFNESS, PAIRS, STRAINS, SectionMatrix, Strains, add, all_strains, sum,
+};
 pub use section_law::{Directors, Lame, SectionLaw, Stiffness};
 pub(crate) use section_strains::{
     AA, AB, AC, AD, AE, AH, BB, BC, BD, BE, BK, CC, CD, CE, CK, DD, DE, DH, EE, EH, HH, KK,

@@ -1,7 +1,7 @@
 use nalgebra::{Matrix3, SMatrix, Vector3};
 
 use super::hyperelastic::SectionPoint;
-use super::section_law::{Directors, Lame, STRAINS, SectionLaw, SectionMatrix};
+use super::section_law::{Directors, Lame, STRAINS, SectionLaw, SectionMatrix, Strains};
 use super::section_strains::*;
 
 /// Area moments ∫ yⁱ zʲ dA of a cross-section about its principal axes. Odd moments vanish by symmetry.
@@ -274,23 +274,14 @@ fn add_product(x: &StrainRow, y: &StrainRow, factor: f64, d: &mut SectionMatrix)
 ///
 /// E₁₁, E₂₂, E₃₃, 2E₁₂, 2E₁₃, 2E₂₃ are given as rows over the section strains.
 pub(crate) fn local_strains(g0: &Directors, y: f64, z: f64) -> ([StrainRow; 6], f64) {
-    let n = g0[3].cross(&g0[4]).normalize();
-    let second = g0[3].normalize();
-    let frame = Matrix3::from_columns(&[n, second, n.cross(&second)]);
-    let first = g0[0] + g0[1] * y + g0[2] * z;
-    let f0 = frame.transpose() * Matrix3::from_columns(&[first, g0[3], g0[4]]);
+    let f0 = reference_gradient(g0, y, z);
     let inverse = f0.try_inverse().unwrap_or_else(Matrix3::identity);
-    // Ẽ in the basis of the reference directors. Each entry is a linear combination of section strains.
-    let of = |terms: &[(usize, f64)]| {
+    // Each entry is a linear combination of section strains.
+    let strains = director_strains(y, z, |terms| {
         let mut row = [0.0; STRAINS];
         terms.iter().for_each(|&(k, x)| row[k] = x);
         row
-    };
-    let half = |terms: [(usize, f64); 3]| of(&terms.map(|(k, x)| (k, 0.5 * x)));
-    let e11 = of(&[(AA, 1.0), (AB, y), (AC, z), (BB, y * y), (BC, y * z), (CC, z * z)]);
-    let (e22, e33, e23) = (of(&[(DD, 1.0)]), of(&[(EE, 1.0)]), of(&[(DE, 0.5)]));
-    let (e12, e13) = (half([(AD, 1.0), (BD, y), (CD, z)]), half([(AE, 1.0), (BE, y), (CE, z)]));
-    let strains = [[e11, e12, e13], [e12, e22, e23], [e13, e23, e33]];
+    });
     let rotated = |i: usize, j: usize, factor: f64| -> StrainRow {
         let mut row = [0.0; STRAINS];
         for (k, strains) in strains.iter().enumerate() {
@@ -310,6 +301,32 @@ pub(crate) fn local_strains(g0: &Directors, y: f64, z: f64) -> ([StrainRow; 6], 
         rotated(1, 2, 2.0),
     ];
     (rows, f0.determinant())
+}
+
+/// Returns the strain at (y, z) in the orthonormal frame of the reference section, for given section strains.
+pub(crate) fn local_strain(g0: &Directors, strains: &Strains, y: f64, z: f64) -> Matrix3<f64> {
+    let inverse = reference_gradient(g0, y, z).try_inverse().unwrap_or_else(Matrix3::identity);
+    let sum = |terms: &[(usize, f64)]| terms.iter().map(|&(k, x)| x * strains[k]).sum::<f64>();
+    // The matrix is symmetric, so rows may be columns.
+    inverse.transpose() * Matrix3::from(director_strains(y, z, sum)) * inverse
+}
+
+/// Gradient F₀ of the reference placement at (y, z), in the orthonormal frame of the reference section.
+fn reference_gradient(g0: &Directors, y: f64, z: f64) -> Matrix3<f64> {
+    let n = g0[3].cross(&g0[4]).normalize();
+    let second = g0[3].normalize();
+    let frame = Matrix3::from_columns(&[n, second, n.cross(&second)]);
+    let first = g0[0] + g0[1] * y + g0[2] * z;
+    frame.transpose() * Matrix3::from_columns(&[first, g0[3], g0[4]])
+}
+
+/// Strain Ẽ at (y, z) in the basis of the reference directors. `of` evaluates a linear combination of section strains.
+fn director_strains<T: Copy>(y: f64, z: f64, of: impl Fn(&[(usize, f64)]) -> T) -> [[T; 3]; 3] {
+    let half = |terms: [(usize, f64); 3]| of(&terms.map(|(k, x)| (k, 0.5 * x)));
+    let e11 = of(&[(AA, 1.0), (AB, y), (AC, z), (BB, y * y), (BC, y * z), (CC, z * z)]);
+    let (e22, e33, e23) = (of(&[(DD, 1.0)]), of(&[(EE, 1.0)]), of(&[(DE, 0.5)]));
+    let (e12, e13) = (half([(AD, 1.0), (BD, y), (CD, z)]), half([(AE, 1.0), (BE, y), (CE, z)]));
+    [[e11, e12, e13], [e12, e22, e23], [e13, e23, e33]]
 }
 
 /// Returns the directors of a straight, undistorted reference section in its own frame.

@@ -1,3 +1,5 @@
+use std::sync::Arc;
+
 use ancf::assembly::Assembly;
 use ancf::estimate::BodyError;
 use ancf::model::{Analysis, Body};
@@ -41,7 +43,7 @@ pub struct ScalarField {
 #[derive(Debug)]
 pub struct ScalarFields<'a> {
     all: Vec<ScalarField>,
-    sections: Vec<Option<SectionStress>>,
+    sections: Vec<Option<Arc<SectionStress>>>,
     assembly: &'a Assembly,
     scales: Scales,
     has_velocities: bool,

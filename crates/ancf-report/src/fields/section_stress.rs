@@ -1,7 +1,8 @@
 use std::f64::consts::PI;
+use std::sync::Arc;
 
 use ancf::Model;
-use ancf::model::Body;
+use ancf::model::{Beam, Body};
 
 use crate::geometry::{Geometry, Outline, SIDES, outline};
 
@@ -20,18 +21,29 @@ pub(crate) struct SectionStress {
 
 impl SectionStress {
     /// Sections at all stations of a model in the user's units; `None` for rigid bodies.
-    pub fn at_stations(model: &Model, geometry: &Geometry<'_>) -> Vec<Option<Self>> {
+    pub fn at_stations(model: &Model, geometry: &Geometry<'_>) -> Vec<Option<Arc<Self>>> {
         let stations = geometry.fields.stations().iter();
-        let of = |station: &ancf::Station| {
+        // Stations of a body with a constant section share it.
+        let mut last: Option<(usize, Arc<Self>)> = None;
+        let mut of = |station: &ancf::Station| {
             let body = &model.bodies[station.body];
+            let is_tapered = matches!(body, Body::Beam(Beam { section_end: Some(_), .. }));
+            if let Some((number, own)) = &last
+                && *number == station.body
+                && !is_tapered
+            {
+                return Some(Arc::clone(own));
+            }
             let section = model.section_at(body, (station.s / body.length()).clamp(0.0, 1.0))?;
             let moments = section.moments();
             let has_axes = matches!(body, Body::Beam(_));
             let (second, outline) = ([moments.zz, moments.yy], outline(&section, SIDES));
             let torsion = section.torsion_constant();
-            Some(Self { area: moments.area, torsion, second, outline, has_axes })
+            let own = Arc::new(Self { area: moments.area, torsion, second, outline, has_axes });
+            last = Some((station.body, Arc::clone(&own)));
+            Some(own)
         };
-        stations.map(of).collect()
+        stations.map(&mut of).collect()
     }
 
     /// Computes N/A + My z/I_y − Mz y/I_z at a point of the section; N/A of a cable, whose bending has no axes.

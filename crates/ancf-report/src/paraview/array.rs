@@ -4,6 +4,7 @@ use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use flate2::Compression;
 use flate2::write::ZlibEncoder;
+use rayon::prelude::*;
 
 /// Named array of numbers or texts, as in VTK.
 #[derive(Clone, Debug)]
@@ -29,26 +30,57 @@ pub(super) enum Values {
     Text(Vec<String>),
 }
 
+/// Array as the text of an XML file.
+#[derive(Clone, Debug)]
+pub(super) struct EncodedArray {
+    pub name: String,
+    pub width: usize,
+    /// Name of the type in VTK.
+    pub kind: &'static str,
+    /// Number of points or cells.
+    pub count: usize,
+    pub text: String,
+}
+
 impl Array {
     pub fn new(name: impl Into<String>, width: usize, values: Values) -> Self {
         Self { name: name.into(), width, values }
     }
+
+    /// Encodes the values.
+    pub fn encoded(&self) -> io::Result<EncodedArray> {
+        Ok(EncodedArray {
+            name: self.name.clone(),
+            width: self.width,
+            kind: self.values.kind(),
+            count: self.values.len() / self.width.max(1),
+            text: self.values.encoded()?,
+        })
+    }
 }
+
+/// Encodes arrays in parallel.
+pub(super) fn encoded(arrays: &[Array]) -> io::Result<Vec<EncodedArray>> {
+    arrays.par_iter().map(Array::encoded).collect()
+}
+
+/// Name of the type of texts in VTK.
+pub(super) const TEXT: &str = "String";
 
 impl Values {
     /// Name of the type in VTK.
-    pub const fn kind(&self) -> &'static str {
+    const fn kind(&self) -> &'static str {
         match self {
             Self::F64(_) => "Float64",
             Self::F32(_) => "Float32",
             Self::I64(_) => "Int64",
             Self::U8(_) => "UInt8",
-            Self::Text(_) => "String",
+            Self::Text(_) => TEXT,
         }
     }
 
     /// Number of values.
-    pub fn len(&self) -> usize {
+    fn len(&self) -> usize {
         match self {
             Self::F64(x) => x.len(),
             Self::F32(x) => x.len(),
@@ -60,9 +92,9 @@ impl Values {
 
     fn bytes(&self) -> Vec<u8> {
         match self {
-            Self::F64(x) => x.iter().flat_map(|x| x.to_le_bytes()).collect(),
-            Self::F32(x) => x.iter().flat_map(|x| x.to_le_bytes()).collect(),
-            Self::I64(x) => x.iter().flat_map(|x| x.to_le_bytes()).collect(),
+            Self::F64(x) => x.iter().map(|x| x.to_le_bytes()).collect::<Vec<_>>().into_flattened(),
+            Self::F32(x) => x.iter().map(|x| x.to_le_bytes()).collect::<Vec<_>>().into_flattened(),
+            Self::I64(x) => x.iter().map(|x| x.to_le_bytes()).collect::<Vec<_>>().into_flattened(),
             Self::U8(x) => x.clone(),
             // Each text ends with a zero byte; zero bytes within texts are removed.
             Self::Text(x) => x.iter().flat_map(|x| x.bytes().filter(|byte| *byte != 0).chain([0])).collect(),
@@ -72,7 +104,7 @@ impl Values {
     /// Encodes the values for an XML file: base64 of a head, then base64 of one block compressed by zlib.
     ///
     /// The head has 64-bit integers: number of blocks, bytes of a block, bytes of a shorter last block, compressed bytes.
-    pub fn encoded(&self) -> io::Result<String> {
+    fn encoded(&self) -> io::Result<String> {
         let bytes = self.bytes();
         let head = |numbers: &[usize]| -> String {
             STANDARD.encode(numbers.iter().flat_map(|x| (*x as u64).to_le_bytes()).collect::<Vec<_>>())

@@ -2,8 +2,8 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use super::array::Array;
-use super::grid::{Grid, document, replace, with_path};
+use super::array::EncodedArray;
+use super::grid::{Grid, with_path, write_document};
 
 /// Numbered files of one kind, and their times.
 #[derive(Debug)]
@@ -42,7 +42,7 @@ impl Collection {
     }
 
     /// Writes the next file.
-    pub fn push(&mut self, time: f64, grid: &Grid<'_>, tags: &[Array]) -> io::Result<()> {
+    pub fn push(&mut self, time: f64, grid: Grid<'_>, tags: &[EncodedArray]) -> io::Result<()> {
         grid.write(&self.folder.join(self.file(self.times.len())), tags)?;
         self.times.push(time);
         Ok(())
@@ -55,7 +55,8 @@ impl Collection {
             fs::remove_file(file).is_ok()
         };
         (self.times.len()..).take_while(left).for_each(drop);
-        let xml = document("Collection", |writer| {
+        let index = self.index();
+        write_document(&index, "Collection", |writer| {
             writer.create_element("Collection").write_inner_content(|writer| {
                 for (number, time) in self.times.iter().enumerate() {
                     let (time, file) = (time.to_string(), self.file(number));
@@ -66,8 +67,6 @@ impl Collection {
             })?;
             Ok(())
         })?;
-        let index = self.index();
-        replace(&index, &xml)?;
         Ok(index)
     }
 }

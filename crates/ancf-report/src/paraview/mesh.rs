@@ -31,14 +31,14 @@ impl Mesh {
         }
         mesh
     }
+}
 
-    /// Evaluates the points in a placement: x = c + Σ arm_k d_k. In place of positions, the placement may have their rates.
-    pub fn positions(&self, of: &Placement) -> Vec<Vector3<f64>> {
-        let at = |point: &Point| {
-            let [a, b, c] = of.directors[point.station];
-            let [x, y, z] = point.arm;
-            of.centres[point.station] + a * x + b * y + c * z
-        };
-        self.points.iter().map(at).collect()
-    }
+/// Evaluates points in a placement: x = c + Σ arm_k d_k. In place of positions, the placement may have their rates.
+pub(super) fn positions(points: &[Point], of: &Placement) -> Vec<Vector3<f64>> {
+    let at = |point: &Point| {
+        let [a, b, c] = of.directors[point.station];
+        let [x, y, z] = point.arm;
+        of.centres[point.station] + a * x + b * y + c * z
+    };
+    points.iter().map(at).collect()
 }

@@ -6,6 +6,8 @@
 //! | `lines.pvd`, `lines/00000.vtu`, … | axes as polylines, centres as points |
 //! | `obstacles.pvd`, `obstacles/00000.vtu`, … | obstacles of contacts; one file if no obstacle moves |
 //!
+//! Flexible bodies have four stations per element, or eight if a body has few elements. Large models have fewer.
+//!
 //! A [`Writer`] takes frames one at a time and keeps none of them. Every file is written under another name and renamed, the
 //! collections last, so that a collection refers to complete files only.
 
@@ -18,6 +20,7 @@ mod obstacle;
 mod point_data;
 mod provenance;
 mod rates;
+mod station_values;
 mod surfaces;
 mod writer;
 

@@ -4,13 +4,12 @@ use nalgebra::Vector3;
 
 use crate::geometry::{Geometry, Placement, Triad};
 
-/// Computes velocities and accelerations of the centres and directors of all stations.
+/// Computes velocities and accelerations of the centres and directors of all stations, given the directors `here`.
 ///
 /// Those of centres are exact. Directors d(q) are orthonormal and hence nonlinear in the coordinates: ḋ = d′ v and
 /// d̈ = d′ a + d″ v v, by central differences. With rotations of 10⁻³ in a difference, relative errors are about 10⁻⁶.
-pub(super) fn rates(geometry: &Geometry<'_>, s: &State) -> [Placement; 2] {
+pub(super) fn rates(geometry: &Geometry<'_>, s: &State, here: &[Triad]) -> [Placement; 2] {
     let centres = |field| geometry.read(field, s).chunks_exact(3).map(Vector3::from_column_slice).collect();
-    let here = geometry.place(s).directors;
     let turning = slopes(geometry, s, &s.v);
     let mut turned = slopes(geometry, s, &s.a);
     let fastest = turning.iter().flatten().map(Vector3::norm).filter(|x| x.is_finite()).fold(0.0, f64::max);

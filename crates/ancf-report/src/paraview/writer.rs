@@ -2,18 +2,21 @@ use std::borrow::Cow;
 use std::fmt;
 use std::io;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use ancf::solver::equations::State;
+use nalgebra::Vector3;
 
-use super::array::{Array, Values};
+use super::array::{Array, EncodedArray, Values, encoded};
 use super::collection::Collection;
 use super::frame_times::FrameTimes;
-use super::grid::Grid;
-use super::mesh::Mesh;
+use super::grid::{EncodedCells, Grid};
+use super::mesh::{Mesh, Point, positions};
 use super::obstacle::ObstacleSurfaces;
 use super::point_data::PointData;
 use super::provenance::provenance;
 use super::rates::rates;
+use super::station_values::StationValues;
 use crate::fields::SectionStress;
 use crate::geometry::{Geometry, Placement};
 use crate::run::{Recording, Snapshot};
@@ -35,16 +38,33 @@ pub struct Writer<'a> {
     recording: &'a Recording<'a>,
     layout: SceneLayout<'a>,
     geometry: Geometry<'a>,
-    section_stress: Vec<Option<SectionStress>>,
-    provenance: Vec<Array>,
+    section_stress: Vec<Option<Arc<SectionStress>>>,
+    provenance: Vec<EncodedArray>,
     times: FrameTimes,
-    sections: (Mesh, Collection),
-    lines: (Mesh, Collection),
-    obstacles: Option<(ObstacleSurfaces, Collection)>,
+    sections: MeshFiles,
+    lines: MeshFiles,
+    obstacles: Option<(ObstacleSurfaces, EncodedCells, Collection)>,
     /// Placement of the undeformed state; of mode shapes, that of the first state.
     reference: Option<Placement>,
     left_out: usize,
 }
+
+/// Points and cells of one kind, and their collection.
+#[derive(Debug)]
+struct MeshFiles {
+    points: Vec<Point>,
+    cells: EncodedCells,
+    collection: Collection,
+}
+
+impl MeshFiles {
+    fn new(Mesh { points, cells }: Mesh, collection: Collection) -> io::Result<Self> {
+        Ok(Self { points, cells: cells.encoded("body")?, collection })
+    }
+}
+
+/// Maximum number of stations of flexible bodies, unless their elements have more nodes.
+const MOST_STATIONS: usize = 10_000;
 
 impl fmt::Debug for Writer<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -64,23 +84,26 @@ impl<'a> Writer<'a> {
     pub fn new(recording: &'a Recording<'a>, folder: &Path) -> io::Result<Self> {
         let (assembly, scales) = (recording.simulation.assembly(), recording.scales());
         let layout = SceneLayout::new(recording, &recording.model.scaled(&scales));
-        let (parts, _) = layout.resolution(usize::MAX);
+        let parts = layout.parts(MOST_STATIONS);
         let geometry =
             Geometry::new(recording.model, assembly, scales, recording.surfaces, parts, layout.size);
         let initial = assembly.initial();
         let placed = geometry.place(&initial);
-        let has_obstacles = !layout.obstacles.is_empty();
-        let obstacles = has_obstacles.then(|| ObstacleSurfaces::new(&layout, &placed, &initial));
         let of = |name| Collection::new(folder, name);
+        let obstacles = if layout.obstacles.is_empty() {
+            None
+        } else {
+            let mut surfaces = ObstacleSurfaces::new(&layout, &placed, &initial);
+            let cells = std::mem::take(&mut surfaces.cells).encoded("obstacle")?;
+            Some((surfaces, cells, of("obstacles")?))
+        };
         Ok(Self {
             section_stress: SectionStress::at_stations(recording.model, &geometry),
-            provenance: provenance(recording),
+            provenance: encoded(&provenance(recording))?,
             times: FrameTimes::new(recording),
-            sections: (Mesh::surfaces(&geometry), of("sections")?),
-            lines: (Mesh::lines(&geometry), of("lines")?),
-            obstacles: obstacles
-                .map(|obstacles| Ok::<_, io::Error>((obstacles, of("obstacles")?)))
-                .transpose()?,
+            sections: MeshFiles::new(Mesh::surfaces(&geometry), of("sections")?)?,
+            lines: MeshFiles::new(Mesh::lines(&geometry), of("lines")?)?,
+            obstacles,
             reference: (!recording.is_modal()).then_some(placed),
             left_out: 0,
             recording,
@@ -110,13 +133,13 @@ impl<'a> Writer<'a> {
     /// # Errors
     /// If a file cannot be written. The error contains the path.
     pub fn finish(mut self) -> io::Result<Written> {
-        if self.sections.1.count() == 0 {
+        if self.sections.collection.count() == 0 {
             let initial = self.recording.simulation.assembly().initial();
             self.draw(0.0, Some("undeformed".to_owned()), &initial)?;
         }
-        let frames = self.sections.1.count();
-        let obstacles = self.obstacles.iter().map(|(_, collection)| collection);
-        let collections = [&self.sections.1, &self.lines.1].into_iter().chain(obstacles);
+        let frames = self.sections.collection.count();
+        let obstacles = self.obstacles.iter().map(|(_, _, collection)| collection);
+        let collections = [&self.sections.collection, &self.lines.collection].into_iter().chain(obstacles);
         let files = collections.map(Collection::finish).collect::<io::Result<_>>()?;
         Ok(Written { files, frames, left_out: self.left_out })
     }
@@ -129,7 +152,7 @@ impl<'a> Writer<'a> {
         };
         let placed = self.geometry.place(&shown);
         if placed.is_finite() {
-            let field_data = self.field_data(time, label, s);
+            let field_data = self.field_data(time, label, s)?;
             self.write(time, &shown, [&placed, &reference], &field_data)?;
         } else {
             self.left_out += 1;
@@ -138,12 +161,14 @@ impl<'a> Writer<'a> {
         Ok(())
     }
 
-    fn field_data(&self, time: f64, label: Option<String>, s: &State) -> Vec<Array> {
-        let mut arrays = self.provenance.clone();
-        arrays.extend(label.map(|label| Array::new("label", 1, Values::Text(vec![label]))));
+    fn field_data(&self, time: f64, label: Option<String>, s: &State) -> io::Result<Vec<EncodedArray>> {
+        let mut arrays: Vec<_> =
+            label.into_iter().map(|label| Array::new("label", 1, Values::Text(vec![label]))).collect();
         arrays.push(Array::new("load_factor", 1, Values::F64(vec![s.load])));
         arrays.push(Array::new("TimeValue", 1, Values::F64(vec![time])));
-        arrays
+        let mut all = self.provenance.clone();
+        all.extend(encoded(&arrays)?);
+        Ok(all)
     }
 
     /// Writes a frame, given its placement and that of the reference.
@@ -152,53 +177,53 @@ impl<'a> Writer<'a> {
         time: f64,
         s: &State,
         placements: [&Placement; 2],
-        field_data: &[Array],
+        field_data: &[EncodedArray],
     ) -> io::Result<()> {
-        let moving = self.recording.model.analysis.dynamics().map(|_| rates(&self.geometry, s));
-        let all = [(&self.sections.0, true), (&self.lines.0, false)];
-        let [sections, lines] =
-            all.map(|(mesh, single)| self.grid(mesh, single, s, placements, moving.as_ref()));
-        self.sections.1.push(time, &sections, field_data)?;
-        self.lines.1.push(time, &lines, field_data)?;
-        if let Some((obstacles, collection)) = &mut self.obstacles {
+        let dynamics = self.recording.model.analysis.dynamics();
+        let moving = dynamics.map(|_| rates(&self.geometry, s, &placements[0].directors));
+        let (assembly, scales) = (self.recording.simulation.assembly(), self.recording.scales());
+        let values = (!self.recording.is_modal())
+            .then(|| StationValues::new(&self.geometry, &self.section_stress, assembly, scales, s));
+        let of_frame = (placements, moving.as_ref(), values.as_ref());
+        let (data, positions) = self.data(&self.sections.points, true, of_frame);
+        let grid = Grid { points: positions, cells: &self.sections.cells, point_data: data };
+        self.sections.collection.push(time, grid, field_data)?;
+        let (data, positions) = self.data(&self.lines.points, false, of_frame);
+        let grid = Grid { points: positions, cells: &self.lines.cells, point_data: data };
+        self.lines.collection.push(time, grid, field_data)?;
+        if let Some((obstacles, cells, collection)) = &mut self.obstacles {
             let still = self.layout.obstacles.iter().all(|obstacle| !obstacle.moves);
             if !still || collection.count() == 0 {
                 let points = obstacles.positions(&self.layout, s);
-                let grid =
-                    Grid { points, cells: &obstacles.cells, owner: "obstacle", point_data: Vec::new() };
-                collection.push(time, &grid, field_data)?;
+                collection.push(time, Grid { points, cells, point_data: Vec::new() }, field_data)?;
             }
         }
         Ok(())
     }
 
-    /// Grid of a mesh in a state with its point data.
-    fn grid<'m>(
+    /// Data at points in a state, and their positions.
+    fn data(
         &self,
-        mesh: &'m Mesh,
+        of: &[Point],
         single: bool,
-        s: &State,
-        [placed, reference]: [&Placement; 2],
-        moving: Option<&[Placement; 2]>,
-    ) -> Grid<'m> {
-        let (assembly, scales) = (self.recording.simulation.assembly(), self.recording.scales());
-        let fields =
-            PointData { geometry: &self.geometry, assembly, sections: &self.section_stress, scales, single };
-        let points = mesh.positions(placed);
-        let moved: Vec<_> = points.iter().zip(mesh.positions(reference)).map(|(x, from)| x - from).collect();
-        let mut point_data = vec![fields.arc_length(mesh)];
-        if self.recording.is_modal() {
-            point_data.push(fields.vectors("shape", &moved));
-        } else {
-            point_data.push(fields.vectors("displacement", &moved));
-            point_data.extend(fields.section_data(mesh, s));
-        }
+        ([placed, reference], moving, values): FrameData<'_>,
+    ) -> (Vec<Array>, Vec<Vector3<f64>>) {
+        let fields = PointData { geometry: &self.geometry, points: of, single };
+        let points = positions(of, placed);
+        let moved: Vec<_> = points.iter().zip(positions(of, reference)).map(|(x, from)| x - from).collect();
+        let mut point_data = vec![fields.arc_length()];
+        let name = if self.recording.is_modal() { "shape" } else { "displacement" };
+        point_data.push(fields.vectors(name, &moved));
+        point_data.extend(values.into_iter().flat_map(|values| fields.section_data(values)));
         for (name, rates) in ["velocity", "acceleration"].into_iter().zip(moving.into_iter().flatten()) {
-            point_data.push(fields.vectors(name, &mesh.positions(rates)));
+            point_data.push(fields.vectors(name, &positions(of, rates)));
         }
         if !single {
-            point_data.extend(fields.axes(mesh, placed));
+            point_data.extend(fields.axes(placed));
         }
-        Grid { points, cells: &mesh.cells, owner: "body", point_data }
+        (point_data, points)
     }
 }
+
+/// Placements of a frame and of the reference, rates of dynamics, and values at the stations without those of mode shapes.
+type FrameData<'a> = ([&'a Placement; 2], Option<&'a [Placement; 2]>, Option<&'a StationValues<'a>>);

@@ -70,18 +70,33 @@ impl<'a> SceneLayout<'a> {
     /// Returns stations per element and the number of frames that fit into a budget in bytes.
     pub fn resolution(&self, budget: usize) -> (u32, usize) {
         let bodies = &self.recording.model.bodies;
-        let flexible = || bodies.iter().filter(|body| body.is_flexible());
-        let rigid = bodies.len() - flexible().count();
-        let least = flexible().map(Body::elements).min().unwrap_or(FEW);
+        let rigid = bodies.iter().filter(|body| !body.is_flexible()).count();
         let frames = self.recording.frames.len().max(1);
-        let finest = if least < FEW { MORE_PARTS } else { PARTS };
-        let bytes = |parts: u32| {
-            let stations = |body: &Body| body.elements() as usize * parts as usize + 1;
-            self.bytes_of_frame(rigid + flexible().map(stations).sum::<usize>())
-        };
-        let fits = |parts: &u32| bytes(*parts).saturating_mul(frames + 1) <= budget;
-        let parts = (1..=finest).rev().find(fits).unwrap_or(1);
+        let bytes = |parts: u32| self.bytes_of_frame(rigid + self.stations(parts));
+        let parts = self.finest_parts(|parts| bytes(parts).saturating_mul(frames + 1) <= budget);
         (parts, (budget / bytes(parts)).saturating_sub(1).max(2))
+    }
+
+    /// Returns stations per element for at most a number of stations of all flexible bodies, but at least one.
+    pub fn parts(&self, most: usize) -> u32 {
+        self.finest_parts(|parts| self.stations(parts) <= most)
+    }
+
+    /// Number of stations of all flexible bodies.
+    fn stations(&self, parts: u32) -> usize {
+        let stations = |body: &Body| body.elements() as usize * parts as usize + 1;
+        self.flexible().map(stations).sum()
+    }
+
+    fn flexible(&self) -> impl Iterator<Item = &Body> {
+        self.recording.model.bodies.iter().filter(|body| body.is_flexible())
+    }
+
+    /// Largest suitable number of stations per element.
+    fn finest_parts(&self, is_suitable: impl Fn(u32) -> bool) -> u32 {
+        let least = self.flexible().map(Body::elements).min().unwrap_or(FEW);
+        let finest = if least < FEW { MORE_PARTS } else { PARTS };
+        (1..=finest).rev().find(|parts| is_suitable(*parts)).unwrap_or(1)
     }
 }
 

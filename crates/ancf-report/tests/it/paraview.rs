@@ -287,6 +287,26 @@ fn stress_on_the_skin_is_that_of_bending() {
     assert_eq!(sides, [18, 18]);
 }
 
+/// Green's strain of a straight axis in a rotation-free stretch u = ε x is ε + ε²/2 at each point, on any mesh.
+#[test]
+fn strain_of_large_models_is_that_of_the_stretch() {
+    let text = CANTILEVER.replace("elements = 8", "elements = 6000").replace("[5, -0.003, 0]", "[400, 0, 0]");
+    let run = Run::of(&text, 1);
+    let (_, skin) = written(&run, "sections").pop().expect("a frame");
+    let (_, lines) = written(&run, "lines").pop().expect("a frame");
+    let (axis, rings) = (lines.points(), lines.points().len());
+    assert!((6001..=10_000).contains(&rings), "{rings}");
+    assert_eq!(skin.points().len(), 4 * rings);
+    let stretch = axis[rings - 1][0] / 2.0 - 1.0;
+    let expected = stretch + 0.5 * stretch * stretch;
+    // Lateral contraction is constrained at the clamp.
+    let interior = (0..skin.points().len()).filter(|k| skin["s"][*k] > 0.2);
+    interior.for_each(|k| {
+        assert!((skin["strain"][k] / expected - 1.0).abs() < 1e-3, "{k}: {}", skin["strain"][k])
+    });
+    assert!(skin.is_closed());
+}
+
 #[test]
 fn shapes_are_vectors_about_their_state() {
     let run = Run::of_file("models/tuning_fork.toml", 1.0, 1);

@@ -35,8 +35,10 @@ pub(crate) struct GrowingTable {
     flushed: usize,
 }
 
-/// Values of a complete part, unless a row has more: 4 MB.
-const VALUES_PER_PART: usize = 1 << 19;
+/// Minimum and maximum number of values of a complete part, unless a row has more: 4 MB and 64 MB.
+const VALUES_PER_PART: [usize; 2] = [1 << 19, 1 << 23];
+/// Values of a column in a complete part. Each column of each part has a writer and metadata of about a kilobyte.
+const VALUES_PER_COLUMN: usize = 1 << 9;
 /// Maximum number of rows of a part.
 const MAX_ROWS_PER_PART: usize = 1 << 16;
 
@@ -95,17 +97,20 @@ impl GrowingTable {
             // Values in double precision rarely repeat.
             .set_dictionary_enabled(false)
             .set_statistics_enabled(EnabledStatistics::Chunk)
+            // A column of a row group has few pages.
+            .set_offset_index_disabled(true)
             .set_key_value_metadata(Some(provenance.metadata()))
             .build();
-        let rows_per_part = (VALUES_PER_PART / layout.width().max(1)).clamp(1, MAX_ROWS_PER_PART);
+        let rows_per_part = rows_per_part(&layout);
         let properties = Arc::new(properties);
         Self {
             path: path.to_owned(),
+            // Memory of a part is reserved at once, because growth would copy it.
+            open: Vec::with_capacity(rows_per_part * layout.width()),
             layout,
             properties,
             rows_per_part,
             complete: 0,
-            open: Vec::new(),
             flushed: 0,
         }
     }
@@ -152,7 +157,10 @@ impl GrowingTable {
         for (first, length) in self.layout.columns() {
             let Some(mut column) = group.next_column()? else { break };
             values.clear();
-            values.extend(rows().flat_map(|row| &row[first..first + length.unwrap_or(1)]));
+            match length {
+                None => values.extend(rows().map(|row| row[first])),
+                Some(length) => values.extend(rows().flat_map(|row| &row[first..first + length])),
+            }
             let levels = length.map(|length| levels(rows().count(), length));
             let (definition, repetition) = levels.as_ref().map(|(d, r)| (d.as_slice(), r.as_slice())).unzip();
             column.typed::<DoubleType>().write_batch(&values, definition, repetition)?;
@@ -168,6 +176,8 @@ impl GrowingTable {
     pub(crate) fn finish(&mut self) -> io::Result<()> {
         self.flush()?;
         let count = self.complete + usize::from(self.flushed > 0);
+        // The merge requires memory for the metadata of all columns.
+        self.open = Vec::new();
         let all: Vec<PathBuf> = (0..count).map(|number| part(&self.path, number)).collect();
         merge(&all, &self.path, &self.layout, &self.properties)?;
         // The folder is renamed first. If it were removed partially, its rest would be taken for the table.
@@ -177,6 +187,13 @@ impl GrowingTable {
             .and_then(|()| fs::remove_dir_all(&done))
             .map_err(|error| with_path(&error, &parts))
     }
+}
+
+/// Number of rows of a complete part. It depends on the columns only, so that a run can be resumed.
+fn rows_per_part(layout: &Layout) -> usize {
+    let [least, most] = VALUES_PER_PART;
+    let values = (layout.columns().count() * VALUES_PER_COLUMN).clamp(least, most);
+    (values / layout.width().max(1)).clamp(1, MAX_ROWS_PER_PART)
 }
 
 fn missing(path: &Path) -> io::Error {

@@ -60,6 +60,32 @@ fn columns_read_back_to_the_last_bit() {
     assert_eq!(Some(&last), series.column("tip.y").unwrap().last());
 }
 
+/// A table with thousands of columns has several parts, and its text contains the same numbers.
+#[test]
+fn wide_tables_and_texts_contain_the_numbers_of_the_run() {
+    let one = r#"probes = [{ name = "tip", on = { body = "rope", at = "end" } }]"#;
+    let many = (1..300).map(|k| {
+        let s = f64::from(k) / 300.0;
+        format!(r#"{{ name = "p{k}", on = {{ body = "rope", at = {s:?} }} }}"#)
+    });
+    let many = format!("probes = [{}]", many.collect::<Vec<_>>().join(", "));
+    let text = format!("{PENDULUM}{}", MOTION.replace("1e-3", "1.5e-4")).replace(one, &many);
+    let model = Model::parse(&text).unwrap_or_else(|errors| panic!("{errors}"));
+    let folder = TempDir::new().unwrap();
+    let results = run(folder.path(), &text, &model);
+    let mut series = Series::new();
+    simulate(&model, &mut series).unwrap();
+    assert!(series.names().count() > 2000);
+    assert_eq!(results.columns().unwrap(), series);
+    let csv = fs::read_to_string(Folder::new(folder.path()).csv()).unwrap();
+    let columns: Vec<&[f64]> = series.columns().map(|(_, values)| values).collect();
+    for (row, line) in csv.lines().skip(1).enumerate() {
+        let numbers = line.split(',').map(|number| number.parse::<f64>().unwrap());
+        assert!(numbers.eq(columns.iter().map(|column| column[row])), "row {row}");
+    }
+    assert_eq!(csv.lines().count(), columns[0].len() + 1);
+}
+
 #[test]
 fn a_file_says_where_it_comes_from_and_in_what_units() {
     let (text, model) = model(MOTION);

@@ -1,4 +1,4 @@
-use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use super::state::{State, Weights};
@@ -71,23 +71,43 @@ pub fn dependences(rows: Vec<SparseVector>, tolerance: f64) -> Vec<Dependence> {
 /// Scales rows and columns until the mean logarithm of their entries is zero. Returns the row scales.
 fn equilibrate(rows: &mut [SparseVector]) -> Vec<f64> {
     // Powers of two scale without rounding.
-    let of = |logarithms: f64, count: usize| (-logarithms / count.max(1) as f64).round().exp2();
-    let mut scales = vec![1.0; rows.len()];
+    let correction = |sum: f64, count: usize| -(sum / count.max(1) as f64).round();
+    let logarithms: Vec<Vec<(usize, f64)>> =
+        rows.iter().map(|row| row.iter().map(|(&j, x)| (j, x.abs().log2())).collect()).collect();
+    let columns = column_count(rows);
+    let (mut of_rows, mut of_columns) = (vec![0.0; rows.len()], vec![0.0; columns]);
+    let mut sums = vec![(0.0, 0); columns];
     for _ in 0..SWEEPS {
-        for (row, scale) in rows.iter_mut().zip(&mut scales) {
-            let own = of(row.values().map(|x| x.abs().log2()).sum(), row.len());
-            row.values_mut().for_each(|x| *x *= own);
-            *scale *= own;
+        let mut changed = false;
+        sums.fill((0.0, 0));
+        for (row, own) in logarithms.iter().zip(&mut of_rows) {
+            let of_row: f64 = row.iter().map(|&(j, x)| x + *own + of_columns[j]).sum();
+            let step = correction(of_row, row.len());
+            *own += step;
+            changed |= step != 0.0;
+            for &(j, x) in row {
+                sums[j].0 += x + *own + of_columns[j];
+                sums[j].1 += 1;
+            }
         }
-        let mut columns: HashMap<usize, (f64, usize)> = HashMap::new();
-        for (j, x) in rows.iter().flatten() {
-            let (sum, count) = columns.entry(*j).or_default();
-            (*sum, *count) = (*sum + x.abs().log2(), *count + 1);
+        for (own, &(sum, count)) in of_columns.iter_mut().zip(&sums) {
+            let step = correction(sum, count);
+            *own += step;
+            changed |= step != 0.0;
         }
-        let columns: HashMap<usize, f64> = columns.into_iter().map(|(j, (sum, n))| (j, of(sum, n))).collect();
-        rows.iter_mut().flatten().for_each(|(j, x)| *x *= columns[j]);
+        if !changed {
+            break;
+        }
     }
-    scales
+    for (row, own) in rows.iter_mut().zip(&of_rows) {
+        row.iter_mut().for_each(|(&j, x)| *x *= (own + of_columns[j]).exp2());
+    }
+    of_rows.into_iter().map(f64::exp2).collect()
+}
+
+/// Number of columns up to the last one with an entry.
+fn column_count(rows: &[SparseVector]) -> usize {
+    rows.iter().filter_map(|row| row.last_key_value()).map(|(&j, _)| j + 1).max().unwrap_or(0)
 }
 
 /// State of a Gaussian elimination.
@@ -95,7 +115,7 @@ struct RowElimination {
     /// Remainder of each row.
     rows: Vec<SparseVector>,
     /// Active rows with an entry, by column.
-    columns: HashMap<usize, BTreeSet<usize>>,
+    columns: Vec<BTreeSet<usize>>,
     /// Active rows, sorted by their number of entries.
     left: BTreeSet<(usize, usize)>,
     /// Largest number from which each row was computed.
@@ -109,9 +129,9 @@ struct RowElimination {
 
 impl RowElimination {
     fn new(rows: Vec<SparseVector>, tolerance: f64) -> Self {
-        let mut columns: HashMap<usize, BTreeSet<usize>> = HashMap::new();
+        let mut columns = vec![BTreeSet::new(); column_count(&rows)];
         for (i, row) in rows.iter().enumerate() {
-            row.keys().for_each(|&j| _ = columns.entry(j).or_default().insert(i));
+            row.keys().for_each(|&j| _ = columns[j].insert(i));
         }
         let left = rows.iter().enumerate().map(|(i, row)| (row.len(), i)).collect();
         let (sizes, subtracted) = (rows.iter().map(largest).collect(), vec![Vec::new(); rows.len()]);
@@ -121,8 +141,8 @@ impl RowElimination {
     /// Takes the shortest active row that has not vanished.
     fn shortest(&mut self) -> Option<usize> {
         while let Some((_, i)) = self.left.pop_first() {
-            for j in self.rows[i].keys() {
-                self.columns.get_mut(j).expect("the column of each entry exists").remove(&i);
+            for &j in self.rows[i].keys() {
+                self.columns[j].remove(&i);
             }
             if largest(&self.rows[i]) > self.tolerance * self.sizes[i] {
                 return Some(i);
@@ -137,8 +157,8 @@ impl RowElimination {
         let pivot = std::mem::take(&mut self.rows[row]);
         let least = PIVOT * largest(&pivot);
         let candidates = pivot.iter().filter(|(_, x)| x.abs() >= least);
-        let Some((&at, &entry)) = candidates.min_by_key(|(j, _)| self.columns[*j].len()) else { return };
-        for i in std::mem::take(self.columns.get_mut(&at).expect("the pivot column exists")) {
+        let Some((&at, &entry)) = candidates.min_by_key(|(j, _)| self.columns[**j].len()) else { return };
+        for i in std::mem::take(&mut self.columns[at]) {
             let factor = self.rows[i][&at] / entry;
             self.subtract(i, factor, &pivot, at);
             self.subtracted[i].push((self.step, row, factor));
@@ -155,10 +175,10 @@ impl RowElimination {
             let value = target.entry(j).or_default();
             *value -= factor * x;
             if value.abs() > ROUNDING * size {
-                self.columns.get_mut(&j).expect("the column of each entry exists").insert(i);
+                self.columns[j].insert(i);
             } else {
                 target.remove(&j);
-                self.columns.get_mut(&j).expect("the column of each entry exists").remove(&i);
+                self.columns[j].remove(&i);
             }
         }
         self.sizes[i] = size;
@@ -209,7 +229,7 @@ fn largest(row: &SparseVector) -> f64 {
 /// Returns the rows of Φ_q of a term in a state, one for each multiplier.
 pub fn constraint_rows(term: &dyn Term, s: &State) -> Vec<SparseVector> {
     let (coordinates, n, m) = (term.coordinates(), term.coordinates().len(), term.multipliers().len());
-    let mut storage = [0.0; LOCAL * (LOCAL + 1) / 2];
+    let mut storage = vec![0.0; (n + m) * (n + m + 1) / 2];
     let block = local_tangent(term, s, Weights { q: 0.0, v: 0.0, a: 0.0 }, &mut storage);
     let row = |k: usize| {
         let entries = coordinates.iter().enumerate().map(|(i, &c)| (c, block.get(n + k, i)));

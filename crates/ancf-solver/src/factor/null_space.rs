@@ -1,7 +1,10 @@
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 /// Sparse row or column: entries by index.
 pub type SparseVector = BTreeMap<usize, f64>;
+
+/// Entries of a row in ascending order of their indices.
+type SortedRow = Vec<(usize, f64)>;
 
 /// Null space of a set of rows, by Gauss-Jordan elimination row by row.
 ///
@@ -10,9 +13,9 @@ pub type SparseVector = BTreeMap<usize, f64>;
 #[derive(Clone, Debug, Default)]
 pub struct NullSpace {
     /// Coefficients c of each pivot p: x_p + Σⱼ cⱼ xⱼ = 0, j free.
-    pivots: BTreeMap<usize, SparseVector>,
-    /// Pivots whose rows contain an unknown, by the unknown.
-    users: BTreeMap<usize, BTreeSet<usize>>,
+    pivots: BTreeMap<usize, SortedRow>,
+    /// Pivots whose rows contain an unknown, or contained it, by the unknown.
+    users: BTreeMap<usize, Vec<usize>>,
     /// Number of coefficients of all pivots.
     entries: usize,
 }
@@ -25,42 +28,39 @@ impl NullSpace {
     ///
     /// Unknowns accepted by `prefer` become pivots unless their entries are small, so that the other unknowns remain
     /// free.
-    pub fn add_row(&mut self, mut row: SparseVector, tolerance: f64, prefer: impl Fn(usize) -> bool) {
+    pub fn add_row(&mut self, row: SparseVector, tolerance: f64, prefer: impl Fn(usize) -> bool) {
         let known: Vec<usize> = row.keys().copied().filter(|j| self.pivots.contains_key(j)).collect();
+        let mut row: SortedRow = row.into_iter().collect();
         for p in known {
-            eliminate(&mut row, p, &self.pivots[&p]);
+            row = eliminated(&row, p, &self.pivots[&p], |_| {});
         }
-        let largest = row.values().fold(0.0, |max: f64, x| max.max(x.abs()));
+        let largest = row.iter().fold(0.0, |max: f64, (_, x)| max.max(x.abs()));
         if largest <= tolerance {
             return;
         }
-        row.retain(|_, x| x.abs() > ROUNDING * largest);
+        row.retain(|(_, x)| x.abs() > ROUNDING * largest);
         let rank =
             |j: usize, x: f64| (prefer(j) && x.abs() > 0.1 * largest, (x.abs() / largest * 1e6).round());
-        let best = row.iter().max_by(|a, b| {
-            let (a, b) = (rank(*a.0, *a.1), rank(*b.0, *b.1));
+        let best = row.iter().enumerate().max_by(|(_, a), (_, b)| {
+            let (a, b) = (rank(a.0, a.1), rank(b.0, b.1));
             a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))
         });
-        let Some((&pivot, &entry)) = best else { return };
-        row.remove(&pivot);
-        row.values_mut().for_each(|x| *x /= entry);
+        let Some(place) = best.map(|(place, _)| place) else { return };
+        let (pivot, entry) = row.remove(place);
+        row.iter_mut().for_each(|(_, x)| *x /= entry);
         for user in self.users.remove(&pivot).unwrap_or_default() {
-            let Some(other) = self.pivots.get_mut(&user) else { continue };
+            let Some(other) = self.pivots.get_mut(&user).filter(|other| position(other, pivot).is_some())
+            else {
+                continue;
+            };
             self.entries -= other.len();
-            eliminate(other, pivot, &row);
-            other.retain(|_, x| x.abs() > ROUNDING);
+            let users = &mut self.users;
+            *other = eliminated(other, pivot, &row, |j| users.entry(j).or_default().push(user));
+            other.retain(|(_, x)| x.abs() > ROUNDING);
             self.entries += other.len();
-            for j in row.keys() {
-                let users = self.users.entry(*j).or_default();
-                if other.contains_key(j) {
-                    users.insert(user)
-                } else {
-                    users.remove(&user)
-                };
-            }
         }
-        for j in row.keys() {
-            self.users.entry(*j).or_default().insert(pivot);
+        for &(j, _) in &row {
+            self.users.entry(j).or_default().push(pivot);
         }
         self.entries += row.len();
         self.pivots.insert(pivot, row);
@@ -74,24 +74,39 @@ impl NullSpace {
     /// Returns the basis vectors by their free unknowns, for the given total number of unknowns.
     pub fn basis(&self, unknowns: usize) -> BTreeMap<usize, SparseVector> {
         let free = (0..unknowns).filter(|j| !self.pivots.contains_key(j));
-        let mut vectors: BTreeMap<usize, SparseVector> =
-            free.map(|j| (j, SparseVector::from([(j, 1.0)]))).collect();
+        let mut vectors: BTreeMap<usize, SortedRow> = free.map(|j| (j, vec![(j, 1.0)])).collect();
         for (&pivot, row) in &self.pivots {
             for (j, c) in row {
                 if let Some(vector) = vectors.get_mut(j) {
-                    vector.insert(pivot, -c);
+                    vector.push((pivot, -c));
                 }
             }
         }
-        vectors
+        vectors.into_iter().map(|(j, vector)| (j, vector.into_iter().collect())).collect()
     }
 }
 
-/// Replaces x_p in a row by −Σ c x.
-fn eliminate(row: &mut SparseVector, p: usize, pivot_row: &SparseVector) {
-    if let Some(entry) = row.remove(&p) {
-        for (&j, c) in pivot_row {
-            *row.entry(j).or_default() -= entry * c;
+/// Place of an unknown in a row.
+fn position(row: &SortedRow, unknown: usize) -> Option<usize> {
+    row.binary_search_by_key(&unknown, |(j, _)| *j).ok()
+}
+
+/// Returns a row with x_p replaced by −Σ c x. `added` is called with the unknowns that the row did not contain.
+fn eliminated(row: &SortedRow, p: usize, pivot_row: &SortedRow, mut added: impl FnMut(usize)) -> SortedRow {
+    let Some(place) = position(row, p) else { return row.clone() };
+    let entry = row[place].1;
+    let mut sum = Vec::with_capacity(row.len() + pivot_row.len());
+    let mut own = row.iter().copied().filter(|(j, _)| *j != p).peekable();
+    for &(j, c) in pivot_row {
+        while let Some(before) = own.next_if(|(k, _)| *k < j) {
+            sum.push(before);
         }
+        let same = own.next_if(|(k, _)| *k == j);
+        if same.is_none() {
+            added(j);
+        }
+        sum.push((j, same.map_or(0.0, |(_, x)| x) - entry * c));
     }
+    sum.extend(own);
+    sum
 }

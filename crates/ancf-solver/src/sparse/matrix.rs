@@ -1,3 +1,4 @@
+use std::ops::Range;
 use std::sync::Arc;
 
 use super::pattern::Pattern;
@@ -47,6 +48,28 @@ impl SparseMatrix {
         }
     }
 
+    /// Calls `visit(j, rows, values)` for parts of the columns of the lower triangle, including the padding.
+    ///
+    /// Columns and rows are unknowns. The first part of a column begins with the diagonal.
+    fn visit_columns(&self, mut visit: impl FnMut(usize, &[u32], &[f64])) {
+        let (supernodes, order) = (self.pattern.supernodes(), self.pattern.order());
+        for (at, supernode) in supernodes.list.iter().enumerate() {
+            let (shape, values) = (supernode.shape(), &self.values[supernode.values()]);
+            for (column, j) in supernode.own().enumerate() {
+                let mut part = |positions: Range<usize>, from: usize| {
+                    let length = positions.len();
+                    visit(order[j] as usize, &order[positions], &values[from..from + length]);
+                };
+                part(j..supernode.own().end, shape.at(column, column));
+                let mut from = shape.at(QUAD * shape.own(), column);
+                for run in supernodes.runs(at) {
+                    part(run.positions(), from);
+                    from += run.positions().len();
+                }
+            }
+        }
+    }
+
     /// Returns the diagonal entry of an unknown.
     pub fn diagonal_of(&self, unknown: usize) -> f64 {
         self.values[self.pattern.diagonal(self.pattern.position(unknown))]
@@ -62,12 +85,19 @@ impl SparseMatrix {
     /// Computes y = A x, in the order of the unknowns.
     pub fn multiply(&self, x: &[f64], y: &mut [f64]) {
         y.fill(0.0);
-        self.visit(|i, j, value| {
-            let (i, j) = (self.pattern.unknown(i), self.pattern.unknown(j));
-            y[i] += value * x[j];
-            if i != j {
-                y[j] += value * x[i];
+        self.visit_columns(|j, mut rows, mut values| {
+            let (factor, mut own) = (x[j], y[j]);
+            if let ([first, others @ ..], [value, below @ ..]) = (rows, values)
+                && *first as usize == j
+            {
+                own += value * factor;
+                (rows, values) = (others, below);
             }
+            for (&i, &value) in rows.iter().zip(values) {
+                y[i as usize] += value * factor;
+                own += value * x[i as usize];
+            }
+            y[j] = own;
         });
     }
 

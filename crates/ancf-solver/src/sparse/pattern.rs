@@ -143,6 +143,11 @@ impl Pattern {
         self.position[unknown] as usize
     }
 
+    /// Returns the unknowns by position.
+    pub(crate) fn order(&self) -> &[u32] {
+        &self.order
+    }
+
     /// Returns the unknown at a position.
     pub(crate) fn unknown(&self, position: usize) -> usize {
         self.order[position] as usize

@@ -64,7 +64,7 @@ impl Model {
         let scales = self.scales().scales;
         let model = self.scaled(&scales);
         let dynamic = model.analysis.dynamics().is_some();
-        let assembly = if dynamic { model.assemble()? } else { model.assemble_static()? };
+        let assembly = model.assemble_scaled()?;
         let system = &assembly.system;
         let load = if dynamic { 1.0 } else { 0.0 };
         let motions = assembly.free_motions(&State { load, ..assembly.rest() });

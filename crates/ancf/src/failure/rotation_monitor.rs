@@ -55,10 +55,10 @@ impl RotationMonitor {
             let damping = -scheme.lead();
             STABLE_ROTATION * (1.0 - (1.0 - damping) / (1.0 + damping))
         });
-        let mut places: Vec<RotatingPlace> = Vec::new();
+        let (rest, mut places) = (assembly.rest(), Vec::<RotatingPlace>::new());
         for (body, (_, terms)) in assembly.bodies().enumerate().filter(|_| limit.is_some()) {
             let mut is_new = true;
-            for vector in terms.vectors(&assembly.rest()) {
+            for vector in terms.vectors(&rest) {
                 if vector.is_position() {
                     is_new = true;
                     continue;

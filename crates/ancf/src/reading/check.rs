@@ -26,15 +26,20 @@ impl Model {
     /// # Errors
     /// All errors of the model, without positions.
     pub fn check(&self) -> Result<(), ModelErrors> {
+        self.check_by(rules_and_contradictions)
+    }
+
+    /// Checks the model by the schema and by rules for models that satisfy it.
+    fn check_by(&self, rules: Rules) -> Result<(), ModelErrors> {
         let data = Value::try_from(self)
             .map_err(|error| ModelErrors(vec![ModelError::new("", error.to_string(), "a model")]))?;
         // The data lack added joints and loads and supplied functions, so the rules are checked on the model itself.
         let findings = if self.is_extended() {
             let (check, _) = SchemaCheck::of(&SCHEMA, &data);
-            if check.findings.is_empty() { rule_findings(self) } else { check.findings }
+            if check.findings.is_empty() { rules(self) } else { check.findings }
         } else {
-            Self::from_value(&data)?;
-            if self.has_external_functions(true) { rule_findings(self) } else { Vec::new() }
+            let (_, findings) = check_data_by(data, rules);
+            if findings.is_empty() && self.has_external_functions(true) { rules(self) } else { findings }
         };
         if findings.is_empty() { Ok(()) } else { Err(ModelErrors(errors(findings))) }
     }
@@ -89,36 +94,51 @@ impl Model {
         self.check_supplies()?;
         IndexedModel::new(self).assembled(time_mode)
     }
+
+    /// Assembles the equations of the analysis. The model is a valid model in other units.
+    ///
+    /// Values are checked again, because they may overflow. Contradictions of joints do not depend on units.
+    pub(crate) fn assemble_scaled(&self) -> Result<Assembly, ModelErrors> {
+        self.check_by(broken_rules)?;
+        self.check_supplies()?;
+        let is_dynamic = self.analysis.dynamics().is_some();
+        IndexedModel::new(self).assembled(if is_dynamic { TimeMode::AsGiven } else { TimeMode::One })
+    }
 }
+
+/// Rules for models that satisfy the schema.
+type Rules = fn(&Model) -> Vec<Finding>;
 
 fn errors(findings: Vec<Finding>) -> Vec<ModelError> {
     findings.into_iter().map(|finding| finding.error).collect()
 }
 
 /// Violated rules of a model that satisfies the schema; without any, contradictions of its joints.
-fn rule_findings(model: &Model) -> Vec<Finding> {
+fn rules_and_contradictions(model: &Model) -> Vec<Finding> {
     let findings = broken_rules(model);
     if findings.is_empty() { contradictions(model) } else { findings }
 }
 
 /// Checks data against the schema, and against those rules that depend on valid data only.
 pub(super) fn check_data(data: Value) -> (Option<Model>, Vec<Finding>) {
+    check_data_by(data, rules_and_contradictions)
+}
+
+fn check_data_by(data: Value, rules: Rules) -> (Option<Model>, Vec<Finding>) {
     let (mut check, corrected) = SchemaCheck::of(&SCHEMA, &data);
     drop(data);
     let mut findings = std::mem::take(&mut check.findings);
     let model = Model::deserialize(corrected);
-    let violations = model.as_ref().map(broken_rules).unwrap_or_default();
+    let is_valid = findings.is_empty();
+    // Contradictions of joints depend on a valid model.
+    let violations = model.as_ref().map(if is_valid { rules } else { broken_rules }).unwrap_or_default();
     findings = findings.into_iter().map(with_memory).collect();
     findings.extend(violations.into_iter().map(|finding| in_file(finding, &check)).filter(|finding| {
         !check.has_replaced(&finding.error.path)
             && !finding.rests_on.iter().any(|path| check.has_replaced(path))
     }));
-    match &model {
-        Ok(model) if findings.is_empty() => findings.extend(contradictions(model)),
-        Err(error) if findings.is_empty() => {
-            findings.push(ModelError::new("", error.to_string(), "a model").into());
-        }
-        _ => {}
+    if let (Err(error), true) = (&model, findings.is_empty()) {
+        findings.push(ModelError::new("", error.to_string(), "a model").into());
     }
     (model.ok(), findings)
 }

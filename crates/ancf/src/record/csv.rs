@@ -1,4 +1,4 @@
-use std::io::Write;
+use std::io::{BufWriter, Write};
 use std::ops::ControlFlow;
 use std::{fmt, io};
 
@@ -6,8 +6,13 @@ use crate::record::Sink;
 
 /// Writes comma-separated values: a line of names, then a line per row. The decimal numbers determine the binary ones exactly.
 pub struct Csv<W: Write> {
-    writer: csv::Writer<W>,
+    to: BufWriter<W>,
+    /// Text of a row.
+    line: Vec<u8>,
 }
+
+/// Bytes of the buffer of a file.
+const BUFFER: usize = 1 << 16;
 
 impl<W: Write> fmt::Debug for Csv<W> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -18,21 +23,33 @@ impl<W: Write> fmt::Debug for Csv<W> {
 impl<W: Write> Csv<W> {
     /// Creates a buffered writer to `to`.
     pub fn new(to: W) -> Self {
-        Self { writer: csv::Writer::from_writer(to) }
+        Self { to: BufWriter::with_capacity(BUFFER, to), line: Vec::new() }
     }
 }
 
 impl<W: Write> Sink for Csv<W> {
+    /// Names may require quotes, numbers do not.
     fn begin(&mut self, columns: &[String]) -> io::Result<()> {
-        Ok(self.writer.write_record(columns)?)
+        let mut names = csv::Writer::from_writer(&mut self.to);
+        names.write_record(columns)?;
+        names.flush()
     }
 
     fn record(&mut self, row: &[f64]) -> io::Result<ControlFlow<()>> {
-        self.writer.serialize(row)?;
+        let mut decimal = zmij::Buffer::new();
+        self.line.clear();
+        for (number, &x) in row.iter().enumerate() {
+            if number > 0 {
+                self.line.push(b',');
+            }
+            self.line.extend_from_slice(decimal.format(x).as_bytes());
+        }
+        self.line.push(b'\n');
+        self.to.write_all(&self.line)?;
         Ok(ControlFlow::Continue(()))
     }
 
     fn finish(&mut self) -> io::Result<()> {
-        self.writer.flush()
+        self.to.flush()
     }
 }

@@ -2,7 +2,8 @@
 //!
 //! The corrected copy satisfies the schema, so that further rules can be checked on its valid part.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
+use std::rc::Rc;
 
 use serde_json::Value as Json;
 use toml::{Table, Value};
@@ -18,6 +19,8 @@ pub(crate) struct SchemaCheck {
     replaced: Vec<String>,
     /// Corrected paths, and the paths in the file.
     misspelt: Vec<(String, String)>,
+    /// Alternative forms of the schemas so far, by the address of the schema.
+    forms: HashMap<*const Json, Rc<[&'static Json]>>,
 }
 
 /// Table by corrected keys, with the keys in the file.
@@ -44,8 +47,12 @@ impl SchemaCheck {
         self.replaced.iter().any(|replaced| within(path, replaced))
     }
 
+    fn forms(&mut self, schema: &'static Json) -> Rc<[&'static Json]> {
+        Rc::clone(self.forms.entry(schema).or_insert_with(|| forms(schema).into()))
+    }
+
     fn value(&mut self, schema: &'static Json, value: &Value, path: &str) -> Value {
-        let forms = forms(schema);
+        let forms = self.forms(schema);
         if forms.iter().any(|form| is_free(form)) {
             return value.clone();
         }
@@ -99,7 +106,7 @@ impl SchemaCheck {
     fn array(&mut self, form: &'static Json, items: &[Value], path: &str) -> Value {
         let count = |key: &str| form[key].as_u64().and_then(|count| usize::try_from(count).ok());
         let (min, max) = (count("minItems").unwrap_or(0), count("maxItems").unwrap_or(usize::MAX));
-        if (min..=max).contains(&items.len()) && are_valid_numbers(&form["items"], items) {
+        if (min..=max).contains(&items.len()) && are_valid_numbers(&self.forms(&form["items"]), items) {
             return Value::Array(items.to_vec());
         }
         let before = self.replaced.len();
@@ -264,9 +271,8 @@ fn number_hint(text: &str) -> Option<&'static str> {
 }
 
 /// True if all items are valid numbers. Long arrays are checked without a path for each item.
-fn are_valid_numbers(schema: &'static Json, items: &[Value]) -> bool {
-    let forms = forms(schema);
-    let [form] = forms[..] else { return false };
+fn are_valid_numbers(forms: &[&'static Json], items: &[Value]) -> bool {
+    let [form] = *forms else { return false };
     let is_valid = |item: &Value| match *item {
         Value::Float(x) => x.is_finite() && allows(form, x),
         Value::Integer(n) => allows(form, n as f64),

@@ -28,8 +28,7 @@ impl Simulation {
         model.check()?;
         let chosen = model.scales();
         let scaled = model.scaled(&chosen.scales);
-        let dynamic = scaled.analysis.dynamics().is_some();
-        let assembly = if dynamic { scaled.assemble()? } else { scaled.assemble_static()? };
+        let assembly = scaled.assemble_scaled()?;
         let repeated = repeated_columns(&assembly);
         if !repeated.is_empty() {
             return Err(ModelErrors(repeated));

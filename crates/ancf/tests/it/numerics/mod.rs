@@ -2,4 +2,5 @@
 
 mod chain_cost;
 mod factorisation;
+mod null_space;
 mod rounding_floor;

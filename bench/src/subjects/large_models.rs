@@ -1,0 +1,109 @@
+//! Model files of large models.
+
+/// Steel, a round bar and gravity.
+const HEAD: &str = r#"
+gravity = [0.0, 0.0, -9.81]
+
+[materials.steel]
+density = 7850.0
+young = 2.1e11
+poisson = 0.3
+
+[sections.bar]
+kind = "circle"
+diameter = 0.02
+"#;
+
+/// Returns the model file of an open chain of rigid rods with hinges in turn about y and z, and one step.
+pub fn chain(bodies: u32) -> String {
+    let mut text = format!("{HEAD}{}", dynamics(1, 0));
+    for k in 0..bodies {
+        let x = 0.1 * f64::from(k);
+        let axis = if k.is_multiple_of(2) { "[0.0, 1.0, 0.0]" } else { "[0.0, 0.0, 1.0]" };
+        let b = if k == 0 {
+            String::new()
+        } else {
+            format!(", b = {{ body = \"r{}\", at = [{x:?}, 0.0, 0.0] }}", k - 1)
+        };
+        text += &format!(
+            r#"
+[[bodies]]
+kind = "rigid"
+name = "r{k}"
+mass = 0.25
+inertia = [1e-5, 2e-4, 2e-4]
+center = [{:?}, 0.0, 0.0]
+
+[[joints]]
+kind = "revolute"
+name = "j{k}"
+a = {{ body = "r{k}", at = [{x:?}, 0.0, 0.0] }}{b}
+axis = {axis}
+"#,
+            x + 0.05
+        );
+    }
+    text
+}
+
+/// Returns the model file of a cantilever beam of 20 elements with evenly spaced probes, which record every step.
+pub fn probes(count: u32, steps: u32) -> String {
+    let mut text = format!("{HEAD}{}{}", beam(20, 10.0), dynamics(steps, 0));
+    for k in 0..count {
+        let s = 10.0 * f64::from(k + 1) / f64::from(count + 1);
+        text += &format!("\n[[probes]]\nname = \"p{k}\"\non = {{ body = \"bar\", at = {s:?} }}\n");
+    }
+    text
+}
+
+/// Returns the model file of a long cantilever beam with stored states.
+pub fn frames(elements: u32, states: u32) -> String {
+    format!("{HEAD}{}{}", beam(elements, 0.01 * f64::from(elements)), dynamics(states - 1, states))
+}
+
+/// Returns the model file of the ten lowest modes of a cantilever cable with a length of 1 m.
+pub fn modes(elements: u32) -> String {
+    let body = body("kind = \"cable\"", elements, 1.0);
+    format!("{HEAD}{body}\n[analysis]\nkind = \"modes\"\ncount = 10\n")
+}
+
+/// Clamped beam along x.
+fn beam(elements: u32, length: f64) -> String {
+    body("kind = \"beam\"\nformulation = \"linked\"", elements, length)
+}
+
+fn body(kind: &str, elements: u32, length: f64) -> String {
+    format!(
+        r#"
+[[bodies]]
+{kind}
+name = "bar"
+from = [0.0, 0.0, 0.0]
+to = [{length:?}, 0.0, 0.0]
+elements = {elements}
+section = "bar"
+material = "steel"
+
+[[joints]]
+kind = "clamp"
+name = "root"
+a = {{ body = "bar", at = "start" }}
+"#
+    )
+}
+
+/// Motion by steps of 1 ms, with a number of stored states.
+fn dynamics(steps: u32, states: u32) -> String {
+    let duration = 1e-3 * f64::from(steps);
+    format!(
+        r#"
+[analysis]
+kind = "dynamics"
+duration = {duration:?}
+step = 1e-3
+
+[output]
+states = {states}
+"#
+    )
+}

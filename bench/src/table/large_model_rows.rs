@@ -1,0 +1,95 @@
+//! Rows of large models: costs of the program outside the time steps.
+
+use std::fs;
+use std::path::Path;
+
+use super::process::{ProgramCost, program_run};
+use super::row::{MeasuredValue, RowSpec, RowUnit};
+use crate::Result;
+use crate::subjects::large_models::{chain, frames, modes, probes};
+
+type Measure = fn() -> Result<MeasuredValue>;
+
+const fn row(name: &'static str, unit: RowUnit, goal: f64) -> RowSpec {
+    RowSpec { name, unit, goal, peer: None, large: true }
+}
+
+/// Number of rigid bodies of the chain.
+const BODIES: u32 = 10_000;
+/// Number of time steps with probes.
+const STEPS: u32 = 1000;
+/// Number of probes.
+const PROBES: u32 = 1000;
+/// Number of elements and of stored states of the beam for ParaView.
+const FRAMES: (u32, u32) = (10_000, 6);
+
+/// All rows.
+pub(super) const ROWS: [(RowSpec, Measure); 7] = [
+    (row("run of one step, per rigid body", RowUnit::Microseconds, 250.0), chain_run),
+    (row("check, per rigid body", RowUnit::Microseconds, 250.0), chain_check),
+    (row("1000 probes against 1, 1000 steps", RowUnit::Factor, 5.0), probe_factor),
+    (row("memory, 1000 probes", RowUnit::Megabytes, 100.0), probe_memory),
+    (row("ParaView, a frame of 1e4 elements", RowUnit::Seconds, 0.2), paraview_frame),
+    (row("memory, ParaView, 1e4 elements", RowUnit::Megabytes, 100.0), paraview_memory),
+    (row("10 modes, 5000 cable elements", RowUnit::Seconds, 0.15), lowest_modes),
+];
+
+fn measured(value: f64, note: impl Into<String>) -> Result<MeasuredValue> {
+    Ok(MeasuredValue { value, note: note.into(), bound: None })
+}
+
+/// Calls `measure` with a folder that contains the file `model.toml`.
+fn with_model(text: &str, measure: impl FnOnce(&Path) -> Result<ProgramCost>) -> Result<ProgramCost> {
+    let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
+    fs::write(folder.path().join("model.toml"), text).map_err(|error| error.to_string())?;
+    measure(folder.path())
+}
+
+/// Runs a model into the folder `out`.
+fn run(folder: &Path) -> Result<ProgramCost> {
+    program_run(folder, &["run", "model.toml", "--output", "out", "--quiet"])
+}
+
+fn per_body(cost: ProgramCost) -> Result<MeasuredValue> {
+    measured(1e6 * cost.processor / f64::from(BODIES), format!("{BODIES} bodies"))
+}
+
+fn chain_run() -> Result<MeasuredValue> {
+    per_body(with_model(&chain(BODIES), run)?)
+}
+
+fn chain_check() -> Result<MeasuredValue> {
+    per_body(with_model(&chain(BODIES), |folder| program_run(folder, &["check", "model.toml"]))?)
+}
+
+fn probe_factor() -> Result<MeasuredValue> {
+    let (many, one) = (with_model(&probes(PROBES, STEPS), run)?, with_model(&probes(1, STEPS), run)?);
+    let per_number = 1e9 * (many.processor - one.processor) / (9.0 * f64::from(PROBES) * f64::from(STEPS));
+    measured(many.processor / one.processor, format!("with text and table; {per_number:.0} ns per number"))
+}
+
+fn probe_memory() -> Result<MeasuredValue> {
+    measured(1e-6 * with_model(&probes(PROBES, STEPS), run)?.memory, "maximum resident memory")
+}
+
+/// Writes a number of the stored states for ParaView.
+fn paraview(count: u32) -> Result<ProgramCost> {
+    let (elements, states) = FRAMES;
+    with_model(&frames(elements, states), |folder| {
+        run(folder)?;
+        program_run(folder, &["paraview", "out", "--frames", &count.to_string()])
+    })
+}
+
+fn paraview_frame() -> Result<MeasuredValue> {
+    let (all, one) = (paraview(FRAMES.1)?, paraview(1)?);
+    measured((all.processor - one.processor) / f64::from(FRAMES.1 - 1), "one thread")
+}
+
+fn paraview_memory() -> Result<MeasuredValue> {
+    measured(1e-6 * paraview(FRAMES.1)?.memory, "maximum resident memory")
+}
+
+fn lowest_modes() -> Result<MeasuredValue> {
+    measured(with_model(&modes(5000), run)?.processor, "with error estimates and output files")
+}

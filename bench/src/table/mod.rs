@@ -1,5 +1,6 @@
 //! Table of costs per element: measured values with targets, other programs and lower bounds.
 
+mod contact_rows;
 pub mod lower_bounds;
 pub mod process;
 mod row;

@@ -1,8 +1,9 @@
 use std::collections::BTreeMap;
 
+use super::contact_rows;
 use super::lower_bounds;
 use super::process::{self, StepCost};
-use super::row::RowUnit::{Factor, Gain, Kilobytes, Microseconds, Seconds};
+use super::row::RowUnit::{Factor, Gain, Kilobytes, Microseconds, Milliseconds, Seconds};
 use super::row::{LimitingResource, LowerBound, MeasuredValue, RowSpec, RowUnit, TableRow};
 use crate::Result;
 use crate::measure::{Machine, SampleSize, median, sample, samples};
@@ -36,7 +37,7 @@ impl RowSpec {
 }
 
 /// All rows.
-const ROWS: [(RowSpec, Measure); 13] = [
+const ROWS: [(RowSpec, Measure); 16] = [
     (row("elastic force", Microseconds, 0.30).against("Chrono", 1.02), RowMeasurements::force),
     (row("force and tangent", Microseconds, 1.2).against("Chrono", 8.8), RowMeasurements::force_and_tangent),
     (row("scatter", Microseconds, 0.25).against("Chrono", 4.8), RowMeasurements::scatter),
@@ -65,6 +66,9 @@ const ROWS: [(RowSpec, Measure); 13] = [
     (row("2 threads, n = 1e5", Gain, 1.7).large(), RowMeasurements::threads),
     (row("step, n = 1e6", Microseconds, 5.2).large(), RowMeasurements::most_steps),
     (row("step, n = 1e6 against n = 1e4", Factor, 1.3).large(), RowMeasurements::growth),
+    (row("contact, step of 10 cables in a pile", Milliseconds, 1.5), |_| contact_rows::pile_of_ten()),
+    (row("contact, crossing cables", Factor, 7.0), |_| contact_rows::crossing_cables()),
+    (row("contact, cable on a plane", Factor, 2.0), |_| contact_rows::cable_on_plane()),
 ];
 
 /// Measurements of the rows of a table.

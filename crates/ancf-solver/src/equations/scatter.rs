@@ -1,5 +1,8 @@
 use std::ops::Range;
+use std::sync::Arc;
 
+use super::term::Term;
+use super::term_sums::unknowns;
 use super::thread_parts::enclosing_range;
 use crate::sparse::{Pattern, QUAD, SupernodeShape};
 
@@ -10,7 +13,8 @@ use crate::sparse::{Pattern, QUAD, SupernodeShape};
 #[derive(Clone, Debug)]
 pub struct Scatter {
     size: u32,
-    blocks: Box<[DenseBlock]>,
+    /// Copies share the blocks.
+    blocks: Arc<[DenseBlock]>,
 }
 
 /// Block of a local matrix that is dense in a supernode.
@@ -158,4 +162,10 @@ fn unknown_runs(pattern: &Pattern, unknowns: &[u32]) -> Vec<UnknownRun> {
         }
     }
     unknown_runs
+}
+
+/// Returns the scatter maps of some terms.
+pub(super) fn scatters(pattern: &Pattern, coordinates: usize, terms: &[Arc<dyn Term>]) -> Vec<Scatter> {
+    let unknowns = |term: &Arc<dyn Term>| -> Vec<u32> { unknowns(&**term, coordinates).collect() };
+    terms.iter().map(|term| Scatter::new(pattern, &unknowns(term))).collect()
 }

@@ -6,17 +6,17 @@ use std::sync::Arc;
 use nalgebra::DVector;
 
 use super::batch::{Batch, GatheredLanes, LocalLanes, LowerLanes, PlacedBatch};
-use super::contact_pairs::{
-    ActivePair, ContactSearch, acting_pairs, is_missing, is_near_missing, near_pairs, with_pairs,
-};
+use super::contact_pairs::{ActiveContacts, ActiveGroup, ActivePair, ContactSearch, acting_pairs};
 use super::dependence::redundant_rows;
 use super::energy::{Energy, Level, Power};
 use super::motion_equations::EquationsOfMotion;
-use super::scatter::Scatter;
+use super::scatter::{Scatter, scatters};
 use super::state::{Inadmissibility, State, StepStates, Weights};
 use super::stiffness_products::{StiffnessProducts, stiffness_products};
 use super::term::{LOCAL, Local, LocalMatrix, Term};
-use super::term_sums::{LocalEnds, LocalState, Rotation, largest_rotation, powers, skew_stiffness, unknowns};
+use super::term_sums::{
+    LocalEnds, LocalState, Rotation, largest_rotation, pattern_of, powers, skew_stiffness, unknowns,
+};
 use super::thread_parts::{ThreadParts, enclosing_range};
 use crate::sparse::{IndexLists, Pattern, SparseMatrix};
 
@@ -25,9 +25,9 @@ pub struct System {
     coordinates: usize,
     multipliers: usize,
     terms: Vec<Arc<dyn Term>>,
-    /// Searches that add terms, and the pairs of the last terms in ascending order.
-    searches: Arc<[Arc<dyn ContactSearch>]>,
-    active: Vec<ActivePair>,
+    /// Number of terms without contacts, which are the last ones.
+    lasting: usize,
+    contacts: ActiveContacts,
     /// Indices of the terms with multipliers.
     constraints: Vec<usize>,
     pattern: Arc<Pattern>,
@@ -56,8 +56,23 @@ impl System {
     /// If a term has more than [`LOCAL`] unknowns or an unknown out of range. This is a programming error, not an input
     /// error.
     pub fn new(coordinates: usize, multipliers: usize, terms: Vec<Box<dyn Term>>) -> Self {
-        let terms = terms.into_iter().map(Arc::from).collect();
-        Self::from_terms(coordinates, multipliers, terms, Arc::default(), Vec::new())
+        let terms: Vec<Arc<dyn Term>> = terms.into_iter().map(Arc::from).collect();
+        let pattern = Arc::new(pattern_of(coordinates, multipliers, &terms));
+        Self {
+            coordinates,
+            multipliers,
+            lasting: terms.len(),
+            contacts: ActiveContacts::default(),
+            constraints: (0..terms.len()).filter(|&i| !terms[i].multipliers().is_empty()).collect(),
+            angles: terms.iter().filter_map(|term| term.counted_angle()).collect(),
+            scatters: scatters(&pattern, coordinates, &terms),
+            unbatched: (0..terms.len()).collect(),
+            terms,
+            pattern,
+            batches: Arc::default(),
+            by_rows: ThreadParts::new(&[]),
+            by_entries: ThreadParts::new(&[]),
+        }
     }
 
     /// Adds searches for terms that are active in some states only.
@@ -66,40 +81,7 @@ impl System {
     /// [`with_active_terms`](EquationsOfMotion::with_active_terms) is called.
     #[must_use]
     pub fn with_searches(self, searches: Vec<Arc<dyn ContactSearch>>) -> Self {
-        Self { searches: searches.into(), ..self }
-    }
-
-    fn from_terms(
-        coordinates: usize,
-        multipliers: usize,
-        terms: Vec<Arc<dyn Term>>,
-        searches: Arc<[Arc<dyn ContactSearch>]>,
-        active: Vec<ActivePair>,
-    ) -> Self {
-        let blocks: IndexLists = terms.iter().map(|term| unknowns(&**term, coordinates)).collect();
-        assert!(blocks.iter().all(|block| block.len() <= LOCAL), "a term has at most {LOCAL} unknowns");
-        let defining = terms.iter().filter(|term| !term.massless().is_empty());
-        let defined: Vec<_> = defining.map(|term| (term.massless().to_vec(), term.multipliers())).collect();
-        let pattern = Pattern::new(coordinates, multipliers, &blocks, &defined);
-        let scatters = blocks.iter().map(|unknowns| Scatter::new(&pattern, unknowns)).collect();
-        let constraints = (0..terms.len()).filter(|&i| !terms[i].multipliers().is_empty()).collect();
-        let angles = terms.iter().filter_map(|term| term.counted_angle()).collect();
-        let (pattern, unbatched, batches) = (Arc::new(pattern), (0..terms.len()).collect(), Arc::default());
-        Self {
-            coordinates,
-            multipliers,
-            terms,
-            searches,
-            active,
-            constraints,
-            pattern,
-            angles,
-            scatters,
-            batches,
-            unbatched,
-            by_rows: ThreadParts::new(&[]),
-            by_entries: ThreadParts::new(&[]),
-        }
+        Self { contacts: ActiveContacts::new(searches), ..self }
     }
 
     /// Evaluates terms in batches, each given with the index of its first term.
@@ -126,15 +108,39 @@ impl System {
         Self { batches, unbatched, by_rows, by_entries, ..self }
     }
 
-    /// Replaces the terms of the pairs by those of other pairs, in ascending order.
-    fn with_pair_terms(&self, active: Vec<ActivePair>) -> (Self, SparseMatrix) {
-        let lasting = self.terms[..self.terms.len() - self.active.len()].iter().cloned();
-        let terms = lasting.chain(active.iter().map(|&(i, pair)| self.searches[i].term(pair))).collect();
-        let system =
-            Self::from_terms(self.coordinates, self.multipliers, terms, Arc::clone(&self.searches), active)
-                .in_batches(Arc::clone(&self.batches));
-        let system =
-            system.with_shared_multipliers(self.pattern.sharing().map(|unknown| unknown - self.coordinates));
+    /// Replaces the terms of the contact groups by those of other groups, in ascending order.
+    fn with_group_terms(&self, groups: Vec<ActiveGroup>) -> (Self, SparseMatrix) {
+        let terms = self.contacts.terms_of(&groups, &self.terms[self.lasting..]);
+        self.with_contact_terms(terms, groups)
+    }
+
+    /// Replaces the terms of contacts. `groups` are their groups, or empty for other terms.
+    fn with_contact_terms(
+        &self,
+        added: Vec<Arc<dyn Term>>,
+        groups: Vec<ActiveGroup>,
+    ) -> (Self, SparseMatrix) {
+        let (coordinates, multipliers) = (self.coordinates, self.multipliers);
+        let blocks: IndexLists = added.iter().map(|term| unknowns(&**term, coordinates)).collect();
+        let terms: Vec<_> = self.terms[..self.lasting].iter().cloned().chain(added).collect();
+        let new = || pattern_of(coordinates, multipliers, &terms);
+        let (contacts, pattern) = self.contacts.replaced(groups, &blocks, &self.pattern, new);
+        let kept = if Arc::ptr_eq(&pattern, &self.pattern) { self.lasting } else { 0 };
+        let new = scatters(&pattern, coordinates, &terms[kept..]);
+        let system = Self {
+            contacts,
+            constraints: self.constraints.clone(),
+            angles: self.angles.clone(),
+            scatters: self.scatters[..kept].iter().cloned().chain(new).collect(),
+            pattern,
+            terms,
+            batches: Arc::default(),
+            unbatched: Vec::new(),
+            by_rows: ThreadParts::new(&[]),
+            by_entries: ThreadParts::new(&[]),
+            ..*self
+        };
+        let system = system.in_batches(Arc::clone(&self.batches));
         let matrix = system.matrix();
         (system, matrix)
     }
@@ -152,7 +158,7 @@ impl System {
 
     /// Returns the searches for contacts.
     pub fn searches(&self) -> &[Arc<dyn ContactSearch>] {
-        &self.searches
+        &self.contacts.searches
     }
 
     /// Returns the terms.
@@ -332,15 +338,15 @@ impl EquationsOfMotion for System {
     }
 
     fn crossing(&self, from: &State, to: &State) -> Option<usize> {
-        self.searches.iter().find_map(|search| search.crossing(from, to))
+        self.searches().iter().find_map(|search| search.crossing(from, to))
     }
 
     fn passing(&self, from: &State, to: &State) -> Option<f64> {
-        self.searches.iter().find_map(|search| search.passing(from, to))
+        self.searches().iter().find_map(|search| search.passing(from, to))
     }
 
     fn acting_pairs(&self, s: &State) -> Option<Vec<ActivePair>> {
-        (!self.searches.is_empty()).then(|| acting_pairs(&self.terms, &self.active, s))
+        (!self.searches().is_empty()).then(|| acting_pairs(self.searches(), s))
     }
 
     fn rotation(&self, from: &State, to: &State) -> Rotation {
@@ -348,24 +354,25 @@ impl EquationsOfMotion for System {
     }
 
     fn with_near_terms(&self, s: &State) -> Option<(Self, SparseMatrix)> {
-        let near = near_pairs(&self.searches, s);
-        is_near_missing(&self.active, &near).then(|| self.with_pair_terms(with_pairs(&near, &[])))
+        self.contacts.near(s).map(|groups| self.with_group_terms(groups))
     }
 
     fn with_active_terms(&self, s: &State) -> Option<(Self, SparseMatrix)> {
-        let near = near_pairs(&self.searches, s);
-        // The pairs of the start of the step are kept, so that repetitions of the step terminate.
-        is_missing(&self.active, &near, 0.0).then(|| self.with_pair_terms(with_pairs(&near, &self.active)))
+        self.contacts.completed(s).map(|groups| self.with_group_terms(groups))
     }
 
-    fn active_pairs(&self) -> Vec<ActivePair> {
-        self.active.clone()
+    fn active_groups(&self) -> Vec<ActiveGroup> {
+        self.contacts.groups.clone()
     }
 
-    fn with_pairs(&self, active: &[ActivePair]) -> Option<(Self, SparseMatrix)> {
-        let is_here = |(i, pair): &ActivePair| self.searches.get(*i).is_some_and(|each| each.contains(*pair));
-        (active.is_sorted_by(|a, b| a < b) && active.iter().all(is_here))
-            .then(|| self.with_pair_terms(active.to_vec()))
+    fn with_groups(&self, groups: &[ActiveGroup]) -> Option<(Self, SparseMatrix)> {
+        self.contacts.accepts(groups).then(|| self.with_group_terms(groups.to_vec()))
+    }
+
+    fn with_pairs(&self, pairs: &[ActivePair]) -> Option<(Self, SparseMatrix)> {
+        let term = |(i, pair): &ActivePair| Some(self.searches().get(*i)?.term(*pair));
+        let terms: Option<Vec<_>> = pairs.iter().map(term).collect();
+        Some(self.with_contact_terms(terms?, Vec::new()))
     }
 
     fn degrees_of_freedom(&self, s: &State) -> usize {

@@ -38,7 +38,9 @@ fn cable(name: &str, [from, to]: [[f64; 3]; 2], elements: u32) -> String {
 }
 
 fn pinned(body: &str, end: &str) -> String {
-    format!("[[joints]]\nkind = \"spherical\"\nname = \"{body} {end}\"\na = {{ body = \"{body}\", at = \"{end}\" }}\n\n")
+    format!(
+        "[[joints]]\nkind = \"spherical\"\nname = \"{body} {end}\"\na = {{ body = \"{body}\", at = \"{end}\" }}\n\n"
+    )
 }
 
 fn model(bodies: &str, contacts: &[&str]) -> String {

@@ -150,3 +150,91 @@ impl AxisHull {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Linear congruential generator of numbers in [−1, 1).
+    fn random(seed: &mut u64) -> f64 {
+        *seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+        (*seed >> 32) as f64 / f64::from(1_u32 << 31) - 1.0
+    }
+
+    fn curve(seed: &mut u64) -> AxisCurve {
+        AxisCurve([1.0, 1.0, 0.4, 0.3].map(|size| Vector3::from_fn(|_, _| size * random(seed))))
+    }
+
+    fn samples(curve: &AxisCurve) -> impl Iterator<Item = Vector3<f64>> {
+        (0..=100).map(|k| curve.point(f64::from(k) / 100.0))
+    }
+
+    /// Distances from hulls are bounds of those from all points of the curves.
+    #[test]
+    fn hulls_bound_distances() {
+        let mut seed = 3;
+        for _ in 0..300 {
+            let (a, b) = (curve(&mut seed), curve(&mut seed));
+            let (of_a, of_b) = (AxisHull::new(&a), AxisHull::new(&b));
+            let bound = of_a.distance_from(&of_b);
+            assert!((of_b.distance_from(&of_a) - bound).abs() < 1e-12);
+            for p in samples(&a) {
+                let nearest = samples(&b).map(|q| (p - q).norm()).fold(f64::INFINITY, f64::min);
+                assert!(of_b.distance(&p) <= nearest + 1e-12 && bound <= nearest + 1e-12);
+            }
+        }
+    }
+
+    /// A straight curve is its own hull, so bounds are distances: here of crossing, parallel and consecutive axes.
+    #[test]
+    fn hulls_of_straight_axes_are_exact() {
+        let line = |from: [f64; 3], way: [f64; 3]| {
+            let zero = Vector3::zeros();
+            AxisHull::new(&AxisCurve([from.into(), way.into(), zero, zero]))
+        };
+        let first = line([0.0; 3], [2.0, 0.0, 0.0]);
+        let cases = [
+            (line([1.0, -1.0, 0.3], [0.0, 2.0, 0.0]), 0.3),
+            (line([0.5, 0.0, 0.7], [1.0, 0.0, 0.0]), 0.7),
+            (line([5.0, 4.0, 0.0], [1.0, 0.0, 0.0]), 5.0),
+            (line([3.0, -1.0, 0.0], [0.0, 2.0, 0.0]), 1.0),
+        ];
+        for (other, distance) in cases {
+            assert!((first.distance_from(&other) - distance).abs() < 1e-12, "{distance}");
+        }
+    }
+
+    /// Points that are skipped are farther away than the limit.
+    #[test]
+    fn scans_skip_far_points_only() {
+        let (mut seed, mut visited) = (11, 0);
+        for _ in 0..300 {
+            let (a, b) = (curve(&mut seed), curve(&mut seed));
+            let (of_a, of_b, count, limit) = (AxisHull::new(&a), AxisHull::new(&b), 40, 0.2);
+            let mut found = Vec::new();
+            of_a.scan((&a, count), &of_b, limit, |i, _, _| {
+                found.push(i);
+                limit
+            });
+            visited += found.len();
+            let near = |i: &usize| of_b.distance(&a.point((*i as f64 + 0.5) / count as f64)) <= limit;
+            assert_eq!(found, (0..count).filter(near).collect::<Vec<_>>());
+        }
+        assert!(visited > 300 && visited < 300 * 20, "{visited}");
+    }
+
+    /// Closest points are stationary, or at an end.
+    #[test]
+    fn closest_points_are_stationary() {
+        let mut seed = 17;
+        for _ in 0..300 {
+            let (a, p) = (curve(&mut seed), Vector3::from_fn(|_, _| random(&mut seed)));
+            let xi = a.closest(&p);
+            let [r, slope, _] = a.at(xi);
+            let along = (p - r).dot(&slope) / (slope.norm_squared() + (p - r).norm_squared());
+            let is_stationary =
+                along.abs() < 1e-12 || (xi == 0.0 && along < 0.0) || (xi == 1.0 && along > 0.0);
+            assert!(is_stationary, "{xi}, {along}");
+        }
+    }
+}

@@ -164,15 +164,17 @@ impl<'a> ContactState<'a> {
         let (axis, ContactSide { points, length, ends }) = (&axes[side], &sides[side]);
         let point = self.point(side, i);
         let Some(foot) = Foot::new(&point, &self.curves[side], axis.length(), *ends) else { return };
-        let with =
-            |point: &[(usize, f64)]| visit(&PointContact { law, radius: *radius, length: *length, foot, point, axis });
+        let with = |point: &[(usize, f64)]| {
+            visit(&PointContact { law, radius: *radius, length: *length, foot, point, axis })
+        };
         match points {
             ContactPoints::Single(point) => with(point.parts()),
             ContactPoints::Along { count, .. } => {
                 let own = &axes[1 - side];
                 let [weights, ..] = own.weights_at(place(i, *count));
                 let vectors = own.vectors();
-                let parts = std::array::from_fn::<_, 4, _>(|k| (vectors.get(k).copied().unwrap_or(0), weights[k]));
+                let parts =
+                    std::array::from_fn::<_, 4, _>(|k| (vectors.get(k).copied().unwrap_or(0), weights[k]));
                 with(&parts[..vectors.len()]);
             }
         }

@@ -156,11 +156,10 @@ impl BeamContacts {
 
     /// Returns a lower bound of the distances of the points of a group that may have contact, up to a limit.
     fn distance(&self, shapes: &[ElementShape], group: [usize; 2], limit: f64) -> f64 {
-        let radii = self.radii(group);
-        let planes = group.map(|i| EndPlanes::new(&shapes[i].curve, self.ends(i), radii));
-        let mut least = limit;
+        let (radii, mut planes, mut least) = (self.radii(group), [None, None], limit);
         self.scan(shapes, group, limit, |[own, other], i, point, distance| {
-            let planes = &planes[usize::from(other == group[1])];
+            let planes = planes[usize::from(other == group[1])]
+                .get_or_insert_with(|| EndPlanes::new(&shapes[other].curve, self.ends(other), radii));
             let is_open = || !self.is_joined(self.pair([own, other], i));
             if distance < least && !planes.are_passed(point) && is_open() {
                 least = distance;

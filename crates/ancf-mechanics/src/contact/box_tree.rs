@@ -11,9 +11,9 @@ impl AlignedBox {
     /// Creates the smallest box of some points, enlarged by a margin.
     pub(super) fn around(points: &[Vector3<f64>], margin: f64) -> Self {
         let (lower, upper) = (points[0], points[0]);
-        let all = points.iter().fold(Self { lower, upper }, |all, &point| {
-            all.with(&Self { lower: point, upper: point })
-        });
+        let all = points
+            .iter()
+            .fold(Self { lower, upper }, |all, &point| all.with(&Self { lower: point, upper: point }));
         Self { lower: all.lower.add_scalar(-margin), upper: all.upper.add_scalar(margin) }
     }
 
@@ -103,7 +103,10 @@ impl<'a> BoxTree<'a> {
         }
         match (a.second, b.second) {
             (0, 0) => {
-                let pairs = self.boxes_of(one).iter().flat_map(|a| self.boxes_of(other).iter().map(move |b| (*a, *b)));
+                let pairs = self
+                    .boxes_of(one)
+                    .iter()
+                    .flat_map(|a| self.boxes_of(other).iter().map(move |b| (*a, *b)));
                 pairs.for_each(|(a, b)| self.test(a, b, visit));
             }
             (second, of_other) if of_other == 0 || (second != 0 && a.count >= b.count) => {
@@ -143,7 +146,8 @@ mod tests {
             (seed >> 33) as f64 / f64::from(1_u32 << 31)
         };
         for count in [0, 1, 2, 5, 400] {
-            let corner = |scale: f64, random: &mut dyn FnMut() -> f64| Vector3::from_fn(|_, _| scale * random());
+            let corner =
+                |scale: f64, random: &mut dyn FnMut() -> f64| Vector3::from_fn(|_, _| scale * random());
             let boxes: Vec<AlignedBox> = (0..count)
                 .map(|_| {
                     let (a, edge) = (corner(1.0, &mut random), corner(0.2, &mut random));

@@ -49,7 +49,8 @@ impl Obstacle {
     pub(super) fn pose(&self, q: &[f64]) -> ObstaclePose {
         let value = |marker: &Marker| marker.reference() + marker.sum(q);
         let (centre, directions) = (value(&self.centre), self.directions.each_ref().map(value));
-        ObstaclePose { shape: self.shape, centre, directions, axis: self.axis }
+        let axis = combine(&directions, &self.axis);
+        ObstaclePose { shape: self.shape, centre, directions, axis, components: self.axis }
     }
 
     /// Returns the coordinates of a point and of the obstacle in ascending order.
@@ -65,13 +66,15 @@ pub(super) struct ObstaclePose {
     shape: ObstacleShape,
     centre: Vector3<f64>,
     directions: [Vector3<f64>; 3],
+    /// Axis, and its components in the directions.
     axis: Vector3<f64>,
+    components: Vector3<f64>,
 }
 
 impl ObstaclePose {
     /// Returns the gap of a point.
     pub(super) fn gap(&self, point: &Vector3<f64>) -> f64 {
-        self.shape.gap(&(point - self.centre), &combine(&self.directions, &self.axis)).0
+        self.shape.gap(&(point - self.centre), &self.axis).0
     }
 
     /// Returns false for planes and hollow obstacles, which have no second side.
@@ -89,7 +92,7 @@ impl ObstaclePose {
         let (radius, radial) = match self.shape {
             ObstacleShape::Sphere { radius, inside: false } => (radius, d),
             ObstacleShape::Cylinder { radius, inside: false } => {
-                let axis = self.axis.normalize();
+                let axis = self.components.normalize();
                 (radius, d - axis * axis.dot(&d))
             }
             _ => return None,

@@ -86,12 +86,14 @@ impl ObstacleContact {
 
     /// Calls `visit` with each point that touches the obstacle, and the values of its markers.
     fn visit(&self, q: &[f64], mut visit: impl FnMut(&Marker, &MarkerValues<f64>)) {
-        let Some(first) = self.points.first() else { return };
-        let mut x = self.values(first, q);
+        let value = |marker: &Marker| marker.reference() + marker.sum(q);
+        let directions = self.directions.each_ref().map(value);
+        let a = combine(&directions, &self.axis);
         for point in &self.points {
-            x.fixed_rows_mut::<3>(0).copy_from(&(point.reference() + point.sum(q)));
-            if self.gap(&x) < 0.0 {
-                visit(point, &x);
+            let d = value(point);
+            if self.shape.gap(&d, &a).0 < self.radius {
+                let [x, y, z] = directions;
+                visit(point, &stacked([d, x, y, z]));
             }
         }
     }
@@ -131,8 +133,7 @@ impl ObstacleContact {
         let ([d, axes @ ..], [rate, ..]) = (parts(x), parts(v));
         let a = combine(&axes, &self.axis);
         let (gap, n, _) = self.shape.gap(&d, &a);
-        let [by_place, by_rate] =
-            self.law.slopes(gap - self.radius, &n, &self.shape.bend(&d, &a), &rate);
+        let [by_place, by_rate] = self.law.slopes(gap - self.radius, &n, &self.shape.bend(&d, &a), &rate);
         (by_place * w.q + by_rate * w.v) * self.length
     }
 
@@ -145,15 +146,11 @@ impl ObstacleContact {
     }
 
     /// Returns the multiple of ε that bounds the errors of the force, and ρ and |∂g/∂a| for those on the carrier.
-    fn rounding_bound(
-        &self,
-        point: &Marker,
-        x: &MarkerValues<f64>,
-        at: &Local<'_>,
-    ) -> (f64, [f64; 3], f64) {
+    fn rounding_bound(&self, point: &Marker, x: &MarkerValues<f64>, at: &Local<'_>) -> (f64, [f64; 3], f64) {
         let [d, axes @ ..] = parts(x);
         let gap = self.gap(x);
-        let tilt: f64 = self.directions.iter().zip(&axes).map(|(own, axis)| own.size(at.q) / axis.norm()).sum();
+        let tilt: f64 =
+            self.directions.iter().zip(&axes).map(|(own, axis)| own.size(at.q) / axis.norm()).sum();
         // Radius of the obstacle, and lever of the errors of the normal.
         let (round, distance) = match self.shape {
             ObstacleShape::Plane => (0.0, f64::INFINITY),

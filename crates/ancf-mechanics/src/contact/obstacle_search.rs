@@ -78,8 +78,8 @@ impl ObstacleContacts {
         let convex = if poses[0].is_convex() { &*self.tubes } else { &[] };
         convex.iter().map(move |tube| {
             tube.points.iter().filter_map(move |point| {
-                let [before, after] =
-                    [(&poses[0], from), (&poses[1], to)].map(|(pose, s)| pose.radial(&point.value(s), tube.radius));
+                let [before, after] = [(&poses[0], from), (&poses[1], to)]
+                    .map(|(pose, s)| pose.radial(&point.value(s), tube.radius));
                 Some((point, [before?, after?]))
             })
         })

@@ -26,12 +26,7 @@ impl Foot {
     /// Finds the foot of a point on an element with a length, if the element has a share in the contact.
     ///
     /// `ends` marks the free ends of the beam.
-    pub(super) fn new(
-        point: &Vector3<f64>,
-        curve: &AxisCurve,
-        length: f64,
-        ends: [bool; 2],
-    ) -> Option<Self> {
+    pub(super) fn new(point: &Vector3<f64>, curve: &AxisCurve, length: f64, ends: [bool; 2]) -> Option<Self> {
         let xi = curve.closest(point);
         let [r, slope, curvature] = curve.at(xi);
         let d = point - r;

@@ -127,7 +127,8 @@ impl ElementAxis {
     /// Returns Σᵢ |Nᵢ| (|rᵢ⁰| + |qᵢ|) for r and dr/ds at ξ. ε times these bounds the rounding errors.
     pub(crate) fn sizes(&self, q: &[f64], xi: f64) -> [f64; 2] {
         let [values, slopes, _] = self.weights_at(xi);
-        let sum = |weights: [f64; 4]| (0..self.vectors.len()).map(|i| weights[i].abs() * self.size(i, q)).sum();
+        let sum =
+            |weights: [f64; 4]| (0..self.vectors.len()).map(|i| weights[i].abs() * self.size(i, q)).sum();
         [values, slopes].map(sum)
     }
 

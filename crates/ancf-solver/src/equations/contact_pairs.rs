@@ -168,7 +168,8 @@ impl ActiveContacts {
 
     /// Returns true if all groups belong to the searches and are in ascending order.
     pub(crate) fn accepts(&self, groups: &[ActiveGroup]) -> bool {
-        let is_here = |(i, group): &ActiveGroup| self.searches.get(*i).is_some_and(|each| each.contains(*group));
+        let is_here =
+            |(i, group): &ActiveGroup| self.searches.get(*i).is_some_and(|each| each.contains(*group));
         groups.is_sorted_by(|a, b| a < b) && groups.iter().all(is_here)
     }
 

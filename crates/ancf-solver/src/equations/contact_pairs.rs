@@ -3,7 +3,7 @@ use std::sync::Arc;
 
 use super::state::State;
 use super::term::{LOCAL, Term};
-use super::term_sums::LocalState;
+use super::term_sums::{LocalState, unknowns};
 use crate::sparse::{IndexLists, Pattern};
 
 /// Pair of possible contact partners, by indices of its [`ContactSearch`].
@@ -93,7 +93,7 @@ pub(crate) struct ActiveContacts {
     pub(crate) groups: Vec<ActiveGroup>,
     /// Pattern of the system without contacts, if they have been replaced.
     lasting: Option<Arc<Pattern>>,
-    /// Groups with entries beyond that pattern. The pattern of the system depends on them only.
+    /// Groups with entries beyond that pattern, on which the pattern of the system depends, if there are no others.
     coupled: Vec<ActiveGroup>,
 }
 
@@ -105,29 +105,38 @@ impl ActiveContacts {
         Self { searches: searches.into(), ..Self::default() }
     }
 
-    /// Replaces the groups. Returns the contacts and the pattern of the system.
+    /// Replaces the groups. Returns the contacts and the pattern of the system, which depends on the new groups only.
     ///
-    /// `blocks` are the unknowns of the terms. The pattern is `own` if the groups that need entries are unchanged, and
-    /// that without contacts if there are none. `groups` is empty for other terms. `new` creates a pattern with all terms.
+    /// The pattern is that without contacts if it has the entries of all new terms. Otherwise it is the pattern of the
+    /// lasting terms and those with further entries, if it has the entries of all. It is kept while these groups are the
+    /// same. `groups` is empty for terms of pairs. `new` creates the pattern of the lasting and the given terms.
     pub(crate) fn replaced(
         &self,
         groups: Vec<ActiveGroup>,
-        blocks: &IndexLists,
+        (terms, coordinates): (&[Arc<dyn Term>], usize),
         own: &Arc<Pattern>,
-        new: impl FnOnce() -> Pattern,
+        new: impl Fn(&[&Arc<dyn Term>]) -> Pattern,
     ) -> (Self, Arc<Pattern>) {
+        let blocks: IndexLists = terms.iter().map(|term| unknowns(&**term, coordinates)).collect();
         let lasting = self.lasting.as_ref().unwrap_or(own);
-        let is_coupled: Vec<bool> = blocks.iter().map(|block| !lasting.contains(block)).collect();
-        let of = groups.iter().zip(&is_coupled).filter(|(_, is_coupled)| **is_coupled);
-        let coupled: Vec<ActiveGroup> = of.map(|(group, _)| *group).collect();
-        let pattern = if !is_coupled.contains(&true) {
-            Arc::clone(lasting)
-        } else if !coupled.is_empty() && coupled == self.coupled {
-            Arc::clone(own)
-        } else {
-            let mut pattern = new();
+        let further: Vec<usize> = (0..terms.len()).filter(|&i| !lasting.contains(&blocks[i])).collect();
+        let coupled: Vec<ActiveGroup> = further.iter().filter_map(|&i| groups.get(i).copied()).collect();
+        let fits = |pattern: &Pattern| blocks.iter().all(|block| pattern.contains(block));
+        let shared = |mut pattern: Pattern| {
             pattern.share(lasting.sharing());
             Arc::new(pattern)
+        };
+        let (pattern, coupled) = if further.is_empty() {
+            (Arc::clone(lasting), coupled)
+        } else if !coupled.is_empty() && coupled == self.coupled && fits(own) {
+            (Arc::clone(own), coupled)
+        } else {
+            let least = new(&further.iter().map(|&i| &terms[i]).collect::<Vec<_>>());
+            if fits(&least) {
+                (shared(least), coupled)
+            } else {
+                (shared(new(&terms.iter().collect::<Vec<_>>())), Vec::new())
+            }
         };
         let (searches, lasting) = (Arc::clone(&self.searches), Some(Arc::clone(lasting)));
         (Self { searches, groups, lasting, coupled }, pattern)

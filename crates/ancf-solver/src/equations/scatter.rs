@@ -1,10 +1,10 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use super::term::Term;
+use super::term::{LOCAL, Term};
 use super::term_sums::unknowns;
 use super::thread_parts::enclosing_range;
-use crate::sparse::{Pattern, QUAD, SupernodeShape};
+use crate::sparse::{IndexLists, Pattern, QUAD, SupernodeShape};
 
 /// Map from the lower triangle of a local matrix to the values of a sparse matrix.
 ///
@@ -162,6 +162,19 @@ fn unknown_runs(pattern: &Pattern, unknowns: &[u32]) -> Vec<UnknownRun> {
         }
     }
     unknown_runs
+}
+
+/// Returns the pattern of the sum of some terms.
+pub(super) fn pattern_of<'a>(
+    coordinates: usize,
+    multipliers: usize,
+    terms: impl Iterator<Item = &'a Arc<dyn Term>> + Clone,
+) -> Pattern {
+    let blocks: IndexLists = terms.clone().map(|term| unknowns(&**term, coordinates)).collect();
+    assert!(blocks.iter().all(|block| block.len() <= LOCAL), "a term has at most {LOCAL} unknowns");
+    let defining = terms.filter(|term| !term.massless().is_empty());
+    let defined: Vec<_> = defining.map(|term| (term.massless().to_vec(), term.multipliers())).collect();
+    Pattern::new(coordinates, multipliers, &blocks, &defined)
 }
 
 /// Returns the scatter maps of some terms.

@@ -10,15 +10,13 @@ use super::contact_pairs::{ActiveContacts, ActiveGroup, ActivePair, ContactSearc
 use super::dependence::redundant_rows;
 use super::energy::{Energy, Level, Power};
 use super::motion_equations::EquationsOfMotion;
-use super::scatter::{Scatter, scatters};
+use super::scatter::{Scatter, pattern_of, scatters};
 use super::state::{Inadmissibility, State, StepStates, Weights};
 use super::stiffness_products::{StiffnessProducts, stiffness_products};
 use super::term::{LOCAL, Local, LocalMatrix, Term};
-use super::term_sums::{
-    LocalEnds, LocalState, Rotation, largest_rotation, pattern_of, powers, skew_stiffness, unknowns,
-};
+use super::term_sums::{LocalEnds, LocalState, Rotation, largest_rotation, powers, skew_stiffness};
 use super::thread_parts::{ThreadParts, enclosing_range};
-use crate::sparse::{IndexLists, Pattern, SparseMatrix};
+use crate::sparse::{Pattern, SparseMatrix};
 
 /// Equations of motion as a sum of terms: gather, evaluate, scatter.
 pub struct System {
@@ -57,7 +55,7 @@ impl System {
     /// error.
     pub fn new(coordinates: usize, multipliers: usize, terms: Vec<Box<dyn Term>>) -> Self {
         let terms: Vec<Arc<dyn Term>> = terms.into_iter().map(Arc::from).collect();
-        let pattern = Arc::new(pattern_of(coordinates, multipliers, &terms));
+        let pattern = Arc::new(pattern_of(coordinates, multipliers, terms.iter()));
         Self {
             coordinates,
             multipliers,
@@ -111,22 +109,17 @@ impl System {
     /// Replaces the terms of the contact groups by those of other groups, in ascending order.
     fn with_group_terms(&self, groups: Vec<ActiveGroup>) -> (Self, SparseMatrix) {
         let terms = self.contacts.terms_of(&groups, &self.terms[self.lasting..]);
-        self.with_contact_terms(terms, groups)
+        self.with_terms(terms, groups)
     }
 
     /// Replaces the terms of contacts. `groups` are their groups, or empty for other terms.
-    fn with_contact_terms(
-        &self,
-        added: Vec<Arc<dyn Term>>,
-        groups: Vec<ActiveGroup>,
-    ) -> (Self, SparseMatrix) {
-        let (coordinates, multipliers) = (self.coordinates, self.multipliers);
-        let blocks: IndexLists = added.iter().map(|term| unknowns(&**term, coordinates)).collect();
-        let terms: Vec<_> = self.terms[..self.lasting].iter().cloned().chain(added).collect();
-        let new = || pattern_of(coordinates, multipliers, &terms);
-        let (contacts, pattern) = self.contacts.replaced(groups, &blocks, &self.pattern, new);
+    fn with_terms(&self, added: Vec<Arc<dyn Term>>, groups: Vec<ActiveGroup>) -> (Self, SparseMatrix) {
+        let (n, m, lasting) = (self.coordinates, self.multipliers, &self.terms[..self.lasting]);
+        let new = |added: &[&Arc<dyn Term>]| pattern_of(n, m, lasting.iter().chain(added.iter().copied()));
+        let (contacts, pattern) = self.contacts.replaced(groups, (&added, n), &self.pattern, new);
+        let terms: Vec<_> = lasting.iter().cloned().chain(added).collect();
         let kept = if Arc::ptr_eq(&pattern, &self.pattern) { self.lasting } else { 0 };
-        let new = scatters(&pattern, coordinates, &terms[kept..]);
+        let new = scatters(&pattern, n, &terms[kept..]);
         let system = Self {
             contacts,
             constraints: self.constraints.clone(),
@@ -139,8 +132,8 @@ impl System {
             by_rows: ThreadParts::new(&[]),
             by_entries: ThreadParts::new(&[]),
             ..*self
-        };
-        let system = system.in_batches(Arc::clone(&self.batches));
+        }
+        .in_batches(Arc::clone(&self.batches));
         let matrix = system.matrix();
         (system, matrix)
     }
@@ -371,8 +364,7 @@ impl EquationsOfMotion for System {
 
     fn with_pairs(&self, pairs: &[ActivePair]) -> Option<(Self, SparseMatrix)> {
         let term = |(i, pair): &ActivePair| Some(self.searches().get(*i)?.term(*pair));
-        let terms: Option<Vec<_>> = pairs.iter().map(term).collect();
-        Some(self.with_contact_terms(terms?, Vec::new()))
+        Some(self.with_terms(pairs.iter().map(term).collect::<Option<_>>()?, Vec::new()))
     }
 
     fn degrees_of_freedom(&self, s: &State) -> usize {

@@ -5,7 +5,6 @@ use std::sync::Arc;
 use super::energy::Power;
 use super::state::{State, StepStates};
 use super::term::{LOCAL, Local, LocalStep, Term};
-use crate::sparse::{IndexLists, Pattern};
 
 /// Skew entries below this part of the largest one are zero.
 const NEGLIGIBLE: f64 = 1e-14;
@@ -60,15 +59,6 @@ pub(super) fn skew_stiffness(terms: &[Arc<dyn Term>], s: &State) -> Vec<(usize, 
 pub(super) fn unknowns(term: &dyn Term, coordinates: usize) -> impl Iterator<Item = u32> {
     let multipliers = term.multipliers().map(move |m| coordinates + m);
     term.coordinates().iter().copied().chain(multipliers).map(|unknown| unknown as u32)
-}
-
-/// Returns the pattern of the sum of some terms.
-pub(super) fn pattern_of(coordinates: usize, multipliers: usize, terms: &[Arc<dyn Term>]) -> Pattern {
-    let blocks: IndexLists = terms.iter().map(|term| unknowns(&**term, coordinates)).collect();
-    assert!(blocks.iter().all(|block| block.len() <= LOCAL), "a term has at most {LOCAL} unknowns");
-    let defining = terms.iter().filter(|term| !term.massless().is_empty());
-    let defined: Vec<_> = defining.map(|term| (term.massless().to_vec(), term.multipliers())).collect();
-    Pattern::new(coordinates, multipliers, &blocks, &defined)
 }
 
 /// Returns the powers of terms without batches, except those of damping forces.

@@ -6,10 +6,10 @@ use ancf::solver::equations::{EquationsOfMotion, State, System, Weights};
 use ancf::solver::newton::Newton;
 use ancf::solver::sparse::SparseMatrix;
 
-use super::cantilever::{CantileverKind, STEP, read_cantilever};
+use super::cantilever::{CantileverKind, STEP, cantilever};
 use crate::Result;
 
-/// Assembled cantilever. It is leaked, so that subjects can refer to it without a lifetime.
+/// Assembled model. It is leaked, so that subjects can refer to it without a lifetime.
 #[derive(Debug)]
 pub struct Plant {
     /// Equations and meshes.
@@ -24,9 +24,17 @@ impl Plant {
     /// # Errors
     /// If the model is invalid.
     pub fn new(kind: CantileverKind, elements: u32) -> Result<Self> {
-        let model = read_cantilever(kind, elements, 1).map_err(|errors| errors.to_string())?;
+        Self::of_file(&cantilever(kind, elements, 1))
+    }
+
+    /// Assembles the model of a file, with a dynamic analysis.
+    ///
+    /// # Errors
+    /// If the model is invalid.
+    pub fn of_file(text: &str) -> Result<Self> {
+        let model = Model::parse(text).map_err(|errors| errors.to_string())?;
         let assembly = model.assemble().map_err(|errors| errors.to_string())?;
-        let settings = model.analysis.dynamics().ok_or("the analysis of a cantilever is dynamic")?.clone();
+        let settings = model.analysis.dynamics().ok_or("the analysis is dynamic")?.clone();
         Ok(Self { assembly: Box::leak(Box::new(assembly)), model: Box::leak(Box::new(model)), settings })
     }
 

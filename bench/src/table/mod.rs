@@ -1,5 +1,6 @@
 //! Table of costs per element: measured values with targets, other programs and lower bounds.
 
+mod contact_rows;
 mod large_model_rows;
 pub mod lower_bounds;
 pub mod process;

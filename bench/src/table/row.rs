@@ -23,6 +23,9 @@ pub enum RowUnit {
     /// Microseconds of CPU time per element or body.
     #[serde(rename = "us")]
     Microseconds,
+    /// Milliseconds of CPU time per step.
+    #[serde(rename = "ms")]
+    Milliseconds,
     /// Seconds of CPU time.
     #[serde(rename = "s")]
     Seconds,
@@ -45,6 +48,7 @@ impl RowUnit {
     pub const fn text(self) -> &'static str {
         match self {
             Self::Microseconds => "us",
+            Self::Milliseconds => "ms",
             Self::Seconds => "s",
             Self::Kilobytes => "kB",
             Self::Megabytes => "MB",

@@ -1,9 +1,9 @@
 use std::collections::BTreeMap;
 
 use super::process::{self, StepCost};
-use super::row::RowUnit::{Factor, Gain, Kilobytes, Microseconds, Seconds};
+use super::row::RowUnit::{Factor, Gain, Kilobytes, Microseconds, Milliseconds, Seconds};
 use super::row::{LimitingResource, LowerBound, MeasuredValue, RowSpec, RowUnit, TableRow};
-use super::{large_model_rows, lower_bounds};
+use super::{contact_rows, large_model_rows, lower_bounds};
 use crate::Result;
 use crate::measure::{Machine, SampleSize, median, sample, samples};
 use crate::subjects::{
@@ -37,7 +37,7 @@ impl RowSpec {
 }
 
 /// All rows.
-const ROWS: [(RowSpec, Measure); 18] = [
+const ROWS: [(RowSpec, Measure); 21] = [
     (row("elastic force", Microseconds, 0.30).against("Chrono", 1.02), RowMeasurements::force),
     (row("force and tangent", Microseconds, 1.2).against("Chrono", 8.8), RowMeasurements::force_and_tangent),
     (row("scatter", Microseconds, 0.25).against("Chrono", 4.8), RowMeasurements::scatter),
@@ -73,6 +73,9 @@ const ROWS: [(RowSpec, Measure); 18] = [
     (row("step, lattice of 480 beams", Seconds, 0.06).large(), |_| structure_step(|n| lattice(5, n), 20)),
     (row("first step, lattice of 1800 beams", Seconds, 2.0).large(), |_| first_step(&lattice(8, 1))),
     (row("step, net of 40 x 40 knots", Seconds, 0.06).large(), |_| structure_step(|n| net(40, n), 50)),
+    (row("contact, step of 10 cables in a pile", Milliseconds, 1.5), |_| contact_rows::pile_of_ten()),
+    (row("contact, crossing cables", Factor, 7.0), |_| contact_rows::crossing_cables()),
+    (row("contact, cable on a plane", Factor, 2.0), |_| contact_rows::cable_on_plane()),
 ];
 
 /// Cost of a step: difference of a long run and of one of a single step, in seconds.

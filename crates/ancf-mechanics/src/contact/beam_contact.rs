@@ -1,14 +1,15 @@
 use ancf_solver::equations::{
     Energy, Inadmissibility, LOCAL, Local, LocalMatrix, LocalStep, State, Term, Weights,
 };
-use nalgebra::{SMatrix, SVector, Vector3, Vector6};
-use num_dual::DualSVec64;
+use nalgebra::Vector3;
 
+use super::axis_curve::{AxisCurve, AxisHull};
 use super::contact_law::ContactLaw;
 use super::crossing::SMALLEST_DISTANCE;
-use crate::kinematics::{ElementAxis, Marker, Real, constant};
+use super::point_contact::{Foot, PointContact, vector};
+use crate::kinematics::{ElementAxis, Marker};
 
-/// Contact between a point of a beam axis and the axis of an element of another beam or the same beam.
+/// Contact between points of a beam axis and the axis of an element of another beam or the same beam.
 ///
 /// With the closest point r(s) of the element and d = p − r(s), the gap is |d| minus both radii. The forces N d/|d| +
 /// friction act on p and, reversed, on r(s). Since |d| is minimal at s, ∂|d|/∂s = 0. The forces are thus exact
@@ -20,30 +21,48 @@ use crate::kinematics::{ElementAxis, Marker, Real, constant};
 /// chain of elements with a smooth axis has a single contact. Beyond a free end it belongs to the end, which is round.
 #[derive(Clone, Debug)]
 pub struct BeamContact {
-    point: Marker,
-    axis: ElementAxis,
+    /// One or two axes.
+    axes: Vec<ElementAxis>,
+    /// Points in contact with each axis.
+    sides: Vec<ContactSide>,
     coordinates: Vec<usize>,
+    /// Sum of both radii.
     radius: f64,
-    length: f64,
-    ends: [bool; 2],
     law: ContactLaw,
 }
 
-/// Closest point of an element.
-#[derive(Clone, Copy, Debug)]
-struct ClosestPoint {
-    s: f64,
-    /// Share of this element in the contact.
-    share: f64,
-    /// Compliance ds/d(r′·δd + d·δr′). It is 0 at an end.
-    compliance: f64,
+/// Points of a beam that are in contact with an element.
+#[derive(Clone, Debug)]
+struct ContactSide {
+    points: ContactPoints,
+    /// Length of beam that each point represents.
+    length: f64,
+    /// Free ends of the element.
+    ends: [bool; 2],
 }
 
-/// Size of the transition between elements at a node, relative to their length.
-const NODE_TRANSITION: f64 = 1e-6;
-/// Number of start points in the search for the closest point of an element.
-const START_POINTS: usize = 5;
-const ITERATIONS: usize = 30;
+#[derive(Clone, Debug)]
+enum ContactPoints {
+    Single(Marker),
+    /// Equidistant points of the other axis, except the given ones.
+    Along {
+        count: usize,
+        except: Vec<usize>,
+    },
+}
+
+/// Element of a beam with the contact points on it.
+#[derive(Clone, Debug)]
+pub(super) struct ContactElement<'a> {
+    pub(super) axis: &'a ElementAxis,
+    /// Free ends of the beam.
+    pub(super) ends: [bool; 2],
+    /// Number of points, and the length of beam that each represents.
+    pub(super) count: usize,
+    pub(super) length: f64,
+    /// Points that have no contact with the other element.
+    pub(super) except: Vec<usize>,
+}
 
 impl BeamContact {
     /// Creates the contact of a point that represents a length of its beam.
@@ -57,118 +76,162 @@ impl BeamContact {
         length: f64,
         law: ContactLaw,
     ) -> Self {
-        let mut coordinates: Vec<usize> = point.coordinates().chain(axis.coordinates()).collect();
-        coordinates.sort_unstable();
-        coordinates.dedup();
-        let (point, axis) = (point.within(&coordinates), axis.within(&coordinates));
-        Self { point, axis, coordinates, radius, length, ends, law }
+        let coordinates = sorted(point.coordinates().chain(axis.coordinates()));
+        let points = ContactPoints::Single(point.within(&coordinates));
+        let axes = vec![axis.within(&coordinates)];
+        Self { axes, sides: vec![ContactSide { points, length, ends }], coordinates, radius, law }
     }
 
-    /// Returns d, r′ and r″ at an arc length.
-    fn distance_vector(&self, q: &[f64], s: f64) -> [Vector3<f64>; 3] {
-        let [r, slope, curvature] = self.axis.at(q, s);
-        [self.point.reference() + self.point.sum(q) - r, slope, curvature]
+    /// Creates the contact of the points of two elements with the respective other element.
+    pub(super) fn of_elements(elements: [ContactElement<'_>; 2], radius: f64, law: ContactLaw) -> Self {
+        let coordinates = sorted(elements.iter().flat_map(|element| element.axis.coordinates()));
+        let axes = elements.iter().map(|element| element.axis.within(&coordinates)).collect();
+        let ends = elements.each_ref().map(|element| element.ends);
+        let [a, b] = elements.map(|ContactElement { count, except, length, .. }| {
+            (ContactPoints::Along { count, except }, length)
+        });
+        let sides = [b, a].into_iter().zip(ends);
+        let sides = sides.map(|((points, length), ends)| ContactSide { points, length, ends }).collect();
+        Self { axes, sides, coordinates, radius, law }
     }
 
-    /// Returns the arc length of the closest point of the element.
-    fn closest(&self, q: &[f64]) -> f64 {
-        let span = self.axis.span();
-        let length = span.end - span.start;
-        let at = |k: usize| span.start + length * k as f64 / (START_POINTS - 1) as f64;
-        let distance = |s: f64| self.distance_vector(q, s)[0].norm_squared();
-        let mut best = (distance(span.start), span.start);
-        for s in (1..START_POINTS).map(at) {
-            let here = distance(s);
-            if here < best.0 {
-                best = (here, s);
-            }
-        }
-        let mut s = best.1;
-        for _ in 0..ITERATIONS {
-            let [d, slope, curvature] = self.distance_vector(q, s);
-            let square = slope.norm_squared();
-            let bent = square - d.dot(&curvature);
-            let step = d.dot(&slope) / if bent > 0.1 * square { bent } else { square };
-            let next = (s + step).clamp(span.start, span.end);
-            let moved = (next - s).abs();
-            s = next;
-            if moved <= f64::EPSILON * length {
-                break;
-            }
-        }
-        s
-    }
-
-    fn closest_point(&self, q: &[f64]) -> Option<ClosestPoint> {
-        let (s, span) = (self.closest(q), self.axis.span());
-        let [d, slope, curvature] = self.distance_vector(q, s);
-        let length = span.end - span.start;
-        let bent = slope.norm_squared() - d.dot(&curvature);
-        // Distance of the projection beyond the end s, relative to the length. It is negative within the element.
-        let over = d.dot(&slope) / (bent * length);
-        let beyond_start = if s > span.start { (span.start - s) / length } else { -over };
-        let beyond_end = if s < span.end { (s - span.end) / length } else { over };
-        let part = |beyond: f64, free: bool| {
-            if free { 1.0 } else { (0.5 - 0.5 * beyond / NODE_TRANSITION).clamp(0.0, 1.0) }
-        };
-        let share = part(beyond_start, self.ends[0]) * part(beyond_end, self.ends[1]);
-        let inside = s > span.start && s < span.end;
-        (share > 0.0).then(|| ClosestPoint { s, share, compliance: if inside { bent.recip() } else { 0.0 } })
-    }
-
-    /// Returns the foot with d, r′ and r″ there, if there is contact.
-    fn contact_point(&self, q: &[f64]) -> Option<(ClosestPoint, [Vector3<f64>; 3])> {
-        let foot = self.closest_point(q)?;
-        let distance_vector = self.distance_vector(q, foot.s);
-        (distance_vector[0].norm() < self.radius).then_some((foot, distance_vector))
-    }
-
-    /// Returns true if the bodies overlap in a state by more than a fraction of their radii.
-    pub(crate) fn overlaps(&self, s: &State, part: f64) -> bool {
+    /// Returns true if a point and an axis of a state overlap by more than a fraction of their radii.
+    pub(super) fn overlaps(&self, s: &State, part: f64) -> bool {
         let mut q = [0.0; LOCAL];
         self.coordinates.iter().zip(&mut q).for_each(|(&c, q)| *q = s.q[c]);
-        self.distance_vector(&q, self.closest(&q))[0].norm() < (1.0 - part) * self.radius
-    }
-
-    /// Returns the force on p at d and ḋ.
-    fn force<D: Real>(&self, share: f64, d: &Vector3<D>, rate: &Vector3<D>) -> Vector3<D> {
-        let distance = d.dot(d).sqrt();
-        let n = d.map(|x| x / distance);
-        let normal = self.law.smooth_normal(distance - self.radius, n.dot(rate)) * (self.length * share);
-        n.map(|x| x * normal) + self.law.smooth_tangential(D::from(normal.re()), &n, rate)
-    }
-
-    /// Returns ḋ and its derivative by s.
-    fn rates(&self, at: &Local<'_>, s: f64) -> [Vector3<f64>; 2] {
-        let [r, slope, _] = self.axis.sum(at.v, s);
-        [self.point.sum(at.v) - r, -slope]
-    }
-
-    /// Returns first coordinates of vectors with their weights in d and r′ at constant s. A vector may occur twice.
-    fn weights(&self, s: f64) -> impl Iterator<Item = (usize, [f64; 2])> + Clone {
-        let [values, slopes, _] = self.axis.weights(s);
-        let vectors = self.axis.vectors().iter().enumerate();
-        let point = self.point.parts().iter().map(|&(first, w)| (first, [w, 0.0]));
-        point.chain(vectors.map(move |(i, &first)| (first, [-values[i], slopes[i]])))
-    }
-
-    /// Computes ∂(forces on d and r′)/∂z along d(d, r′) = w_q z, d(ḋ, ṙ′) = w_v z.
-    fn slope(&self, at: &Local<'_>, w: Weights) -> Option<(ClosestPoint, SMatrix<f64, 6, 6>)> {
-        type Dual = DualSVec64<6>;
-        let (foot, [d, along, _]) = self.contact_point(at.q)?;
-        let [rate, turning] = self.rates(at, foot.s);
-        let forces = |z: SVector<Dual, 6>| {
-            let (first, second) = (z.fixed_rows::<3>(0), z.fixed_rows::<3>(3));
-            let moved = constant::<Dual>(&along).dot(&first) + constant::<Dual>(&d).dot(&second);
-            let ds = moved * (w.q * foot.compliance);
-            let place = constant::<Dual>(&d) + first.map(|x| x * w.q) - along.map(|x| ds * x);
-            let speed = constant::<Dual>(&rate) + first.map(|x| x * w.v) + turning.map(|x| ds * x);
-            let force = self.force(foot.share, &place, &speed);
-            let couple = force.map(|x| -x * ds);
-            SVector::<Dual, 6>::from_fn(|i, _| if i < 3 { force[i] } else { couple[i - 3] })
+        let at = ContactState::new(self, &q);
+        let distance = |side: usize, i: usize| {
+            let (point, curve) = (at.point(side, i), &at.curves[side]);
+            (point - curve.point(curve.closest(&point))).norm()
         };
-        Some((foot, num_dual::jacobian(forces, &Vector6::zeros()).1))
+        (0..self.sides.len())
+            .any(|side| (0..at.count(side)).any(|i| distance(side, i) < (1.0 - part) * self.radius))
     }
+}
+
+fn sorted(coordinates: impl Iterator<Item = usize>) -> Vec<usize> {
+    let mut coordinates: Vec<usize> = coordinates.collect();
+    coordinates.sort_unstable();
+    coordinates.dedup();
+    coordinates
+}
+
+/// Geometry of a contact in a state.
+struct ContactState<'a> {
+    contact: &'a BeamContact,
+    q: &'a [f64],
+    /// Origin of the curves. Differences of positions have smaller rounding errors.
+    origin: Vector3<f64>,
+    curves: [AxisCurve; 2],
+    hulls: [AxisHull; 2],
+}
+
+impl<'a> ContactState<'a> {
+    fn new(contact: &'a BeamContact, q: &'a [f64]) -> Self {
+        let (first, last) = (&contact.axes[0], &contact.axes[contact.axes.len() - 1]);
+        let origin = first.start_point(q);
+        let curves = [first, last].map(|axis| AxisCurve::new(axis, q, &origin));
+        Self { contact, q, origin, curves, hulls: curves.each_ref().map(AxisHull::new) }
+    }
+
+    fn count(&self, side: usize) -> usize {
+        match &self.contact.sides[side].points {
+            ContactPoints::Single(_) => 1,
+            ContactPoints::Along { count, .. } => *count,
+        }
+    }
+
+    fn point(&self, side: usize, i: usize) -> Vector3<f64> {
+        match &self.contact.sides[side].points {
+            ContactPoints::Single(point) => point.reference() - self.origin + point.sum(self.q),
+            ContactPoints::Along { count, .. } => self.curves[1 - side].point(place(i, *count)),
+        }
+    }
+
+    /// Returns a bound of the rounding error of a point.
+    fn size(&self, side: usize, i: usize) -> f64 {
+        match &self.contact.sides[side].points {
+            ContactPoints::Single(point) => point.size(self.q),
+            ContactPoints::Along { count, .. } => {
+                self.contact.axes[1 - side].sizes(self.q, place(i, *count))[0]
+            }
+        }
+    }
+
+    /// Calls `visit` with the contact of a point with its foot, if the element has a share in it.
+    fn with_foot(&self, side: usize, i: usize, visit: impl FnOnce(&PointContact<'_>)) {
+        let BeamContact { axes, sides, radius, law, .. } = self.contact;
+        let (axis, ContactSide { points, length, ends }) = (&axes[side], &sides[side]);
+        let point = self.point(side, i);
+        let Some(foot) = Foot::new(&point, &self.curves[side], axis.length(), *ends) else { return };
+        let with = |point: &[(usize, f64)]| {
+            visit(&PointContact { law, radius: *radius, length: *length, foot, point, axis })
+        };
+        match points {
+            ContactPoints::Single(point) => with(point.parts()),
+            ContactPoints::Along { count, .. } => {
+                let own = &axes[1 - side];
+                let [weights, ..] = own.weights_at(place(i, *count));
+                let vectors = own.vectors();
+                let parts =
+                    std::array::from_fn::<_, 4, _>(|k| (vectors.get(k).copied().unwrap_or(0), weights[k]));
+                with(&parts[..vectors.len()]);
+            }
+        }
+    }
+
+    /// Calls `visit` with each point that touches an element, with its side and index.
+    fn visit(&self, mut visit: impl FnMut(&PointContact<'_>, [usize; 2])) {
+        let radius = self.contact.radius;
+        let mut touch = |side: usize, i: usize| {
+            self.with_foot(side, i, |contact| {
+                if contact.gap() < 0.0 {
+                    visit(contact, [side, i]);
+                }
+            });
+        };
+        for (side, ContactSide { points, .. }) in self.contact.sides.iter().enumerate() {
+            match points {
+                ContactPoints::Single(_) => {
+                    if self.hulls[side].distance(&self.point(side, 0)) <= radius {
+                        touch(side, 0);
+                    }
+                }
+                ContactPoints::Along { count, except } => {
+                    let own = (&self.curves[1 - side], *count);
+                    self.hulls[1 - side].scan(own, &self.hulls[side], radius, |i, _, _| {
+                        if !except.contains(&i) {
+                            touch(side, i);
+                        }
+                        radius
+                    });
+                }
+            }
+        }
+    }
+
+    /// Returns the sum over the touching points.
+    fn sum(&self, of: impl Fn(&PointContact<'_>) -> f64) -> f64 {
+        let mut sum = 0.0;
+        self.visit(|contact, _| sum += of(contact));
+        sum
+    }
+
+    /// Returns a quantity of a point, or 0 without contact.
+    fn value(&self, [side, i]: [usize; 2], of: impl Fn(&PointContact<'_>) -> f64) -> f64 {
+        let mut value = 0.0;
+        self.with_foot(side, i, |contact| {
+            if contact.gap() < 0.0 {
+                value = of(contact);
+            }
+        });
+        value
+    }
+}
+
+/// Returns ξ of a point.
+fn place(i: usize, count: usize) -> f64 {
+    (i as f64 + 0.5) / count as f64
 }
 
 impl Term for BeamContact {
@@ -177,99 +240,65 @@ impl Term for BeamContact {
     }
 
     fn residual(&self, at: &Local<'_>, r: &mut [f64]) {
-        let Some((foot, [d, ..])) = self.contact_point(at.q) else { return };
-        let [rate, _] = self.rates(at, foot.s);
-        let force = self.force(foot.share, &d, &rate);
-        let [values, ..] = self.axis.weights(foot.s);
-        self.point.add(-force, r);
-        for (&first, weight) in self.axis.vectors().iter().zip(values) {
-            r[first..first + 3].iter_mut().zip(&force).for_each(|(row, f)| *row += weight * f);
-        }
+        ContactState::new(self, at.q).visit(|contact, _| contact.add_residual(at.v, r));
     }
 
-    /// Errors of d affect the gap, the direction and the foot, and at a node the share.
     fn rounding(&self, at: &Local<'_>, floor: &mut [f64]) {
-        let Some((foot, [d, slope, _])) = self.contact_point(at.q) else { return };
-        let [sizes, slopes] = self.axis.sizes(at.q, foot.s);
-        let gaps = self.point.size(at.q) + sizes + self.radius;
-        let sliding = (slope.norm() * gaps + d.norm() * slopes) * foot.compliance;
-        let tilt = (gaps + slope.norm() * sliding) / d.norm();
-        let [rate, turning] = self.rates(at, foot.s);
-        let moving = self.weights(foot.s).map(|(first, [w, _])| w.abs() * vector(at.v, first).norm());
-        let velocity_error = moving.sum::<f64>() + turning.norm() * sliding;
-        let span = self.axis.span();
-        let transition = if foot.share < 1.0 {
-            (gaps / slope.norm() + sliding) / (NODE_TRANSITION * (span.end - span.start))
-        } else {
-            0.0
-        };
-        let gap = d.norm() - self.radius;
-        let bound =
-            self.law.rounding(gap, rate.norm(), [gaps, tilt + transition, velocity_error]) * self.length;
-        let force = self.force(foot.share, &d, &rate).norm();
-        for (first, [w, change]) in self.weights(foot.s) {
-            let error = bound * w.abs() + 4.0 * f64::EPSILON * force * change.abs() * sliding;
-            floor[first..first + 3].iter_mut().for_each(|row| *row += error);
-        }
+        let state = ContactState::new(self, at.q);
+        state.visit(|contact, [side, i]| contact.add_rounding([at.q, at.v], state.size(side, i), floor));
     }
 
     fn tangent(&self, at: &Local<'_>, w: Weights, k: &mut LocalMatrix<'_>) {
-        let Some((foot, h)) = self.slope(at, w) else { return };
-        let h = (h + h.transpose()) * -0.5;
-        let weights = self.weights(foot.s);
-        for (row, a) in weights.clone() {
-            for (column, b) in weights.clone().filter(|(column, _)| *column <= row) {
-                for (i, j) in (0..3).flat_map(|i| (0..3).map(move |j| (i, j))) {
-                    if row + i >= column + j {
-                        let mixed = a[0] * b[1] * h[(i, 3 + j)] + a[1] * b[0] * h[(3 + i, j)];
-                        let straight = a[0] * b[0] * h[(i, j)] + a[1] * b[1] * h[(3 + i, 3 + j)];
-                        k.add(row + i, column + j, straight + mixed);
-                    }
-                }
-            }
-        }
+        ContactState::new(self, at.q).visit(|contact, _| contact.add_tangent(at.v, [w.q, w.v], k));
     }
 
     /// Requires a distance of more than half the sum of the radii. At smaller distances the force is close to its
     /// reversal.
     fn inadmissibility(&self, at: &Local<'_>) -> Option<Inadmissibility> {
-        let contact_point = self.contact_point(at.q);
-        let is_admissible =
-            contact_point.is_none_or(|(_, [d, ..])| d.norm() > SMALLEST_DISTANCE * self.radius);
+        let mut is_admissible = true;
+        ContactState::new(self, at.q)
+            .visit(|contact, _| is_admissible &= contact.foot.d.norm() > SMALLEST_DISTANCE * self.radius);
         (!is_admissible).then_some(Inadmissibility::PressedThrough)
     }
 
     /// The normal force does the work of the potential between both ends. Damping and friction are those of the middle.
     fn average_residual(&self, step: &LocalStep<'_>, r: &mut [f64]) {
         self.residual(&step.middle, r);
-        let energies = [step.from, step.to].map(|at| self.energy(&at).strain);
-        let Some(foot) = self.closest_point(step.middle.q).filter(|_| energies != [0.0; 2]) else { return };
-        let [d, ..] = self.distance_vector(step.middle.q, foot.s);
-        let force = |q: &[f64]| {
-            self.contact_point(q).map_or(0.0, |(foot, [d, ..])| {
-                self.length * foot.share * self.law.pressure(d.norm() - self.radius)
-            })
-        };
-        let forces = [step.from, step.middle, step.to].map(|at| force(at.q));
-        let (mut moved, n) = ([0.0; LOCAL], d.normalize());
+        let mut moved = [0.0; LOCAL];
         (0..step.to.q.len()).for_each(|i| moved[i] = step.to.q[i] - step.from.q[i]);
-        let weights = self.weights(foot.s);
-        let apart: f64 = weights.clone().map(|(first, [w, _])| w * n.dot(&vector(&moved, first))).sum();
-        let excess = ContactLaw::discrete_force(energies, apart, forces) - forces[1];
-        for (first, [w, _]) in weights {
-            (0..3).for_each(|k| r[first + k] -= excess * w * n[k]);
-        }
+        let [from, middle, to] = [step.from, step.middle, step.to].map(|at| ContactState::new(self, at.q));
+        let mut correct = |point: [usize; 2]| {
+            let energies = [&from, &to].map(|state| state.value(point, |contact| contact.energy()));
+            if energies == [0.0; 2] {
+                return;
+            }
+            let forces = [&from, &middle, &to].map(|state| state.value(point, |contact| contact.pressure()));
+            middle.with_foot(point[0], point[1], |contact| {
+                let n = contact.foot.d.normalize();
+                let weights = contact.weights();
+                let apart = weights.map(|(first, [w, _])| w * n.dot(&vector(&moved, first))).sum();
+                let excess = ContactLaw::discrete_force(energies, apart, forces) - forces[1];
+                contact.add_force(&(n * excess), r);
+            });
+        };
+        // Points that touch at the end only follow those that touch at the start.
+        from.visit(|_, point| correct(point));
+        to.visit(|_, point| {
+            if from.value(point, |_| 1.0) == 0.0 {
+                correct(point);
+            }
+        });
     }
 
     fn energy(&self, at: &Local<'_>) -> Energy {
-        let contact_point = self.contact_point(at.q);
-        let strain = contact_point.map_or(0.0, |(foot, [d, ..])| {
-            self.length * foot.share * self.law.energy(d.norm() - self.radius)
-        });
-        Energy { strain, ..Energy::default() }
+        Energy { strain: ContactState::new(self, at.q).sum(|contact| contact.energy()), ..Energy::default() }
     }
-}
 
-fn vector(x: &[f64], first: usize) -> Vector3<f64> {
-    Vector3::new(x[first], x[first + 1], x[first + 2])
+    fn is_damped(&self) -> bool {
+        self.law.is_damped()
+    }
+
+    fn damping_forces(&self, at: &Local<'_>, r: &mut [f64]) {
+        ContactState::new(self, at.q).visit(|contact, _| contact.add_damping(at.v, r));
+    }
 }

@@ -1,4 +1,4 @@
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 
 use crate::kinematics::Real;
 
@@ -101,6 +101,50 @@ impl ContactLaw {
         let sliding = velocity - direction.map(|x| x * along);
         let factor = -(normal * self.friction) / (sliding.dot(&sliding) + self.slip_speed.powi(2)).sqrt();
         sliding.map(|x| x * factor)
+    }
+
+    /// Returns true if forces depend on velocities.
+    pub(crate) fn is_damped(&self) -> bool {
+        self.damping != 0.0 || self.friction != 0.0
+    }
+
+    /// Returns the force N n + friction at a gap, for the relative velocity w.
+    pub(crate) fn force(&self, gap: f64, n: &Vector3<f64>, w: &Vector3<f64>) -> Vector3<f64> {
+        let normal = self.normal(gap, n.dot(w));
+        n * normal + self.tangential(normal, n, w)
+    }
+
+    /// Returns ∂/∂d and ∂/∂w of the [`force`](Self::force), with constant N in the friction.
+    ///
+    /// n is the gradient of the gap by d, and `bend` its derivative ∂n/∂d.
+    pub(crate) fn slopes(
+        &self,
+        gap: f64,
+        n: &Vector3<f64>,
+        bend: &Matrix3<f64>,
+        w: &Vector3<f64>,
+    ) -> [Matrix3<f64>; 2] {
+        let (closing, turning) = (n.dot(w), bend * w);
+        let x = self.damping * closing;
+        let (pressure, factor) = (self.pressure(gap), damping_factor(x));
+        let normal = pressure * factor;
+        // d/dx (√(1 + x²) − x) = −(√(1 + x²) − x)/√(1 + x²).
+        let by_rate = -normal * self.damping / (1.0 + x * x).sqrt();
+        let by_place = n * (-self.slope(gap) * factor) + turning * by_rate;
+        let slopes = [n * by_place.transpose() + bend * normal, n * (n * by_rate).transpose()];
+        if self.friction == 0.0 {
+            return slopes;
+        }
+        let sliding = w - n * closing;
+        let speed = (sliding.norm_squared() + self.slip_speed.powi(2)).sqrt();
+        let direction = sliding / speed;
+        let by_sliding =
+            (direction * direction.transpose() - Matrix3::identity()) * (normal * self.friction / speed);
+        let [place, velocity] = slopes;
+        // The sliding velocity is w − n (n·w).
+        let across = Matrix3::identity() - n * n.transpose();
+        let tilted = n * turning.transpose() + bend * closing;
+        [place - by_sliding * tilted, velocity + by_sliding * across]
     }
 
     /// Bounds the rounding error of the force at a gap and a speed.

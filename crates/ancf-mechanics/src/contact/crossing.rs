@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use super::obstacle::ObstacleContact;
+use crate::kinematics::Marker;
 
 /// Smallest distance of two axes, or of a point and the centre of an obstacle, relative to the sum of the radii. A
 /// contact force at smaller distances is close to its reversal.
@@ -27,17 +27,14 @@ fn passes(from: &Vector3<f64>, to: &Vector3<f64>) -> bool {
         && (from.norm() >= SMALLEST_DISTANCE || from.dot(to) < 0.0)
 }
 
-/// Returns a coordinate of a point of a tube that passes through an obstacle between two states.
+/// Returns a point of a tube that passes through an obstacle between two states, from the radial vectors of its points.
 ///
 /// Positions between two points of the tube are interpolated, since an obstacle may fit between them.
-pub(super) fn obstacle_crossing(
-    contacts: &[std::sync::Arc<ObstacleContact>],
-    from: &[f64],
-    to: &[f64],
-) -> Option<usize> {
+pub(super) fn obstacle_crossing<'a>(
+    points: impl Iterator<Item = (&'a Marker, [Vector3<f64>; 2])>,
+) -> Option<&'a Marker> {
     let mut last: Option<[Vector3<f64>; 2]> = None;
-    for contact in contacts {
-        let here = [contact.radial(from)?, contact.radial(to)?];
+    for (point, here) in points {
         let [before, after] = last.unwrap_or(here);
         let spacing = (here[0] - before).norm().max((here[1] - after).norm());
         let count = (spacing / SPACING).ceil().clamp(1.0, 1e4);
@@ -45,7 +42,7 @@ pub(super) fn obstacle_crossing(
             let part = k as f64 / count;
             let at = |last: &Vector3<f64>, here: &Vector3<f64>| last + (here - last) * part;
             if passes(&at(&before, &here[0]), &at(&after, &here[1])) {
-                return contact.coordinate();
+                return Some(point);
             }
         }
         last = Some(here);
@@ -55,13 +52,8 @@ pub(super) fn obstacle_crossing(
 
 /// Returns the position on a straight line between two states at which a point touches a convex obstacle that it does
 /// not touch at the ends.
-pub(super) fn obstacle_passing(
-    contacts: &[std::sync::Arc<ObstacleContact>],
-    from: &[f64],
-    to: &[f64],
-) -> Option<f64> {
-    contacts.iter().find_map(|contact| {
-        let (from, to) = (contact.radial(from)?, contact.radial(to)?);
+pub(super) fn obstacle_passing(mut points: impl Iterator<Item = [Vector3<f64>; 2]>) -> Option<f64> {
+    points.find_map(|[from, to]| {
         let part = nearest(&from, &to);
         let touches = |x: Vector3<f64>| x.norm_squared() < 1.0;
         (touches(from + (to - from) * part) && !touches(from) && !touches(to)).then_some(part)

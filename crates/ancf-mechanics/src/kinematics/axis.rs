@@ -42,11 +42,15 @@ impl ElementAxis {
 
     /// Returns the arc lengths of the start and the end of the element.
     pub fn span(&self) -> Range<f64> {
-        let length = match self.shape {
+        self.start..self.start + self.length()
+    }
+
+    /// Returns the length of the element.
+    pub fn length(&self) -> f64 {
+        match self.shape {
             AxisInterpolation::Cubic(shape) => shape.length,
             AxisInterpolation::Quadratic(shape) => shape.length,
-        };
-        self.start..self.start + length
+        }
     }
 
     /// Returns the first coordinate of each vector.
@@ -74,17 +78,42 @@ impl ElementAxis {
 
     /// Returns the weights of the vectors in r, dr/ds and d²r/ds² at an arc length. The fourth of three vectors is 0.
     pub fn weights(&self, s: f64) -> [[f64; 4]; 3] {
+        self.weights_at((s - self.start) / self.length())
+    }
+
+    /// Returns the weights of the vectors in r, dr/ds and d²r/ds² at ξ.
+    pub(crate) fn weights_at(&self, xi: f64) -> [[f64; 4]; 3] {
         match self.shape {
             AxisInterpolation::Cubic(shape) => {
-                let xi = (s - self.start) / shape.length;
                 [shape.axis(xi), shape.axis_gradient(xi), shape.axis_curvature(xi)]
             }
-            AxisInterpolation::Quadratic(shape) => {
-                let (l, xi) = (shape.length, (s - self.start) / shape.length);
+            AxisInterpolation::Quadratic(QuadraticShape { length: l, .. }) => {
                 let four = |[a, b, c]: [f64; 3]| [a, b, c, 0.0];
                 let curvature = [4.0, -8.0, 4.0].map(|weight| weight / (l * l));
                 let slopes = QuadraticShape::slopes(xi).map(|weight| weight / l);
                 [four(QuadraticShape::values(xi)), four(slopes), four(curvature)]
+            }
+        }
+    }
+
+    /// Returns the position of the start, given the coordinates q.
+    pub(crate) fn start_point(&self, q: &[f64]) -> Vector3<f64> {
+        self.reference[0] + vector(q, self.vectors[0])
+    }
+
+    /// Returns cₖ in r = c₀ + c₁ ξ + c₂ ξ² + c₃ ξ³ relative to an origin, given the coordinates q.
+    pub(crate) fn polynomial(&self, q: &[f64], origin: &Vector3<f64>) -> [Vector3<f64>; 4] {
+        let value = |i: usize| self.reference[i] + vector(q, self.vectors[i]);
+        match self.shape {
+            AxisInterpolation::Cubic(BeamShape { length, slope }) => {
+                let (a, b) = (value(0) - origin, value(2) - origin);
+                let (from, to) = (value(1) * (length / slope), value(3) * (length / slope));
+                let chord = b - a;
+                [a, from, (chord - from) * 3.0 + (from - to), from + to - chord * 2.0]
+            }
+            AxisInterpolation::Quadratic(_) => {
+                let [a, b, c] = [0, 1, 2].map(|i| value(i) - origin);
+                [a, (b - a) * 4.0 - (c - a), (a - b + (c - b)) * 2.0, Vector3::zeros()]
             }
         }
     }
@@ -95,19 +124,12 @@ impl ElementAxis {
         self.weights(s).map(|weights| (0..self.vectors.len()).map(|i| moved(i) * weights[i]).sum())
     }
 
-    /// Returns Σᵢ |Nᵢ| (|rᵢ⁰| + |qᵢ|) for r and dr/ds. ε times these bounds the rounding errors.
-    pub(crate) fn sizes(&self, q: &[f64], s: f64) -> [f64; 2] {
-        let [values, slopes, _] = self.weights(s);
-        let size = |i: usize| self.reference[i].norm() + vector(q, self.vectors[i]).norm();
-        [values, slopes].map(|weights| (0..self.vectors.len()).map(|i| weights[i].abs() * size(i)).sum())
-    }
-
-    /// Returns the Bézier points of the element, whose convex hull contains it, given the coordinates q.
-    pub(crate) fn bezier_points(&self, q: &[f64]) -> [Vector3<f64>; 4] {
-        let span = self.span();
-        let third = (span.end - span.start) / 3.0;
-        let ([a, from, _], [b, to, _]) = (self.at(q, span.start), self.at(q, span.end));
-        [a, a + from * third, b - to * third, b]
+    /// Returns Σᵢ |Nᵢ| (|rᵢ⁰| + |qᵢ|) for r and dr/ds at ξ. ε times these bounds the rounding errors.
+    pub(crate) fn sizes(&self, q: &[f64], xi: f64) -> [f64; 2] {
+        let [values, slopes, _] = self.weights_at(xi);
+        let sum =
+            |weights: [f64; 4]| (0..self.vectors.len()).map(|i| weights[i].abs() * self.size(i, q)).sum();
+        [values, slopes].map(sum)
     }
 
     /// Returns Σᵢ Nᵢ x[vᵢ..vᵢ+3] and its two derivatives by s, for a vector x such as the velocities.

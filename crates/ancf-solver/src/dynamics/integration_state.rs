@@ -9,7 +9,7 @@ use super::errors::MotionErrors;
 use super::predictor::Predictor;
 use super::scheme::SchemeCoefficients;
 use super::step_report::StepReport;
-use crate::equations::{ActivePair, Energy, EquationsOfMotion, Power, State};
+use crate::equations::{ActiveGroup, Energy, EquationsOfMotion, Power, State};
 use crate::newton::NewtonCheckpoint;
 
 /// Integration state that each accepted step advances.
@@ -50,8 +50,8 @@ pub(crate) struct DividedStep {
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct StepperCheckpoint {
     pub(crate) motion: IntegrationState,
-    /// Pairs included in the equations. They determine the order of elimination and hence the rounding.
-    pub(crate) active: Vec<ActivePair>,
+    /// Contact groups included in the equations. They determine the order of elimination and hence the rounding.
+    pub(crate) active: Vec<ActiveGroup>,
     pub(crate) newton: NewtonCheckpoint,
 }
 

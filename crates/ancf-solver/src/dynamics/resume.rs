@@ -5,7 +5,7 @@ use crate::equations::EquationsOfMotion;
 impl<E: EquationsOfMotion> TimeStepper<'_, E> {
     /// Returns the saved state as of the last accepted step.
     pub fn checkpoint(&self) -> StepperCheckpoint {
-        let active = self.active.clone().unwrap_or_else(|| self.eom.active_pairs());
+        let active = self.active.clone().unwrap_or_else(|| self.eom.active_groups());
         StepperCheckpoint { motion: self.motion.clone(), active, newton: self.newton.checkpoint() }
     }
 
@@ -19,8 +19,8 @@ impl<E: EquationsOfMotion> TimeStepper<'_, E> {
         if !motion.is_valid(n, m, self.max_halvings) || !self.newton.accepts(newton, n, m) {
             return Err(CheckpointMismatch);
         }
-        if *active != self.eom.active_pairs() {
-            let (eom, matrix) = self.eom.with_pairs(active).ok_or(CheckpointMismatch)?;
+        if *active != self.eom.active_groups() {
+            let (eom, matrix) = self.eom.with_groups(active).ok_or(CheckpointMismatch)?;
             self.replace_equations(eom, matrix).map_err(|_| CheckpointMismatch)?;
         }
         self.motion = motion.clone();

@@ -6,7 +6,7 @@ use super::initial_conditions::{Projected, accelerations, project};
 use super::integration_state::{DividedStep, IntegrationState};
 use super::scheme::SchemeCoefficients;
 use super::step_report::StepReport;
-use crate::equations::{ActivePair, Energy, EquationsOfMotion, Level, Power, State};
+use crate::equations::{ActiveGroup, Energy, EquationsOfMotion, Level, Power, State};
 use crate::newton::{ActiveSet, Newton, NewtonReport, SolveError, SolveFailure};
 use crate::sparse::SparseMatrix;
 
@@ -18,8 +18,8 @@ pub struct TimeStepper<'a, E: EquationsOfMotion + ?Sized> {
     pub(crate) newton: Newton,
     pub(crate) max_halvings: u32,
     pub(crate) motion: IntegrationState,
-    /// Pairs at the last accepted step, if they have changed since.
-    pub(crate) active: Option<Vec<ActivePair>>,
+    /// Contact groups at the last accepted step, if they have changed since.
+    pub(crate) active: Option<Vec<ActiveGroup>>,
     /// State before the current attempt, and the middle of a step.
     pub(crate) before: State,
     pub(crate) middle: StepMiddle,
@@ -261,7 +261,7 @@ impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
 
     pub(crate) fn replace_equations(&mut self, eom: E, matrix: SparseMatrix) -> Result<(), SolveError> {
         if self.active.is_none() {
-            self.active = Some(self.eom.active_pairs());
+            self.active = Some(self.eom.active_groups());
         }
         self.eom.replace(eom);
         self.newton.replace_matrix(matrix)

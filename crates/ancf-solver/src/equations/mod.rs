@@ -14,7 +14,7 @@ mod term_sums;
 mod thread_parts;
 
 pub use batch::{Batch, LANES, Lanes, LocalLanes};
-pub use contact_pairs::{ActivePair, ContactPair, ContactSearch, active_terms};
+pub use contact_pairs::{ActiveGroup, ActivePair, ContactGroup, ContactPair, ContactSearch, active_terms};
 pub use dependence::{Dependence, REDUNDANCY_TOLERANCE, all_constraint_rows, constraint_rows, dependences};
 pub use energy::{Energy, Level, Power};
 pub use motion_equations::EquationsOfMotion;

@@ -1,6 +1,6 @@
 use nalgebra::DVector;
 
-use super::contact_pairs::ActivePair;
+use super::contact_pairs::{ActiveGroup, ActivePair};
 use super::energy::{Energy, Level, Power};
 use super::state::{Inadmissibility, State, StepStates, Weights};
 use super::stiffness_products::StiffnessProducts;
@@ -133,7 +133,7 @@ pub trait EquationsOfMotion {
         None
     }
 
-    /// Returns the included pairs that have a force in a state, in ascending order; `None` if there are no searches.
+    /// Returns the pairs that have a force in a state, in ascending order; `None` if there are no searches.
     fn acting_pairs(&self, _s: &State) -> Option<Vec<ActivePair>> {
         None
     }
@@ -165,13 +165,21 @@ pub trait EquationsOfMotion {
         None
     }
 
-    /// Returns the included pairs in ascending order.
-    fn active_pairs(&self) -> Vec<ActivePair> {
+    /// Returns the groups of the included pairs in ascending order.
+    fn active_groups(&self) -> Vec<ActiveGroup> {
         Vec::new()
     }
 
-    /// Returns the equations with exactly these pairs and a matrix of their pattern, or `None` if a pair does not
+    /// Returns the equations with exactly these groups and a matrix of their pattern, or `None` if a group does not
     /// exist.
+    fn with_groups(&self, _groups: &[ActiveGroup]) -> Option<(Self, SparseMatrix)>
+    where
+        Self: Sized,
+    {
+        None
+    }
+
+    /// Returns the equations with exactly these pairs and a matrix of their pattern, or `None` if there are no searches.
     fn with_pairs(&self, _pairs: &[ActivePair]) -> Option<(Self, SparseMatrix)>
     where
         Self: Sized,

@@ -1,7 +1,10 @@
 use std::ops::Range;
+use std::sync::Arc;
 
+use super::term::{LOCAL, Term};
+use super::term_sums::unknowns;
 use super::thread_parts::enclosing_range;
-use crate::sparse::{Pattern, QUAD, SupernodeShape};
+use crate::sparse::{ConstraintRow, IndexLists, Pattern, QUAD, SupernodeShape};
 
 /// Map from the lower triangle of a local matrix to the values of a sparse matrix.
 ///
@@ -10,7 +13,8 @@ use crate::sparse::{Pattern, QUAD, SupernodeShape};
 #[derive(Clone, Debug)]
 pub struct Scatter {
     size: u32,
-    blocks: Box<[DenseBlock]>,
+    /// Copies share the blocks.
+    blocks: Arc<[DenseBlock]>,
 }
 
 /// Block of a local matrix that is dense in a supernode.
@@ -158,4 +162,23 @@ fn unknown_runs(pattern: &Pattern, unknowns: &[u32]) -> Vec<UnknownRun> {
         }
     }
     unknown_runs
+}
+
+/// Returns the pattern of the sum of some terms. `rows` are the scaled rows of the constraints, which determine the order.
+pub(super) fn pattern_of<'a>(
+    coordinates: usize,
+    rows: &[ConstraintRow],
+    terms: impl Iterator<Item = &'a Arc<dyn Term>> + Clone,
+) -> Pattern {
+    let blocks: IndexLists = terms.clone().map(|term| unknowns(&**term, coordinates)).collect();
+    assert!(blocks.iter().all(|block| block.len() <= LOCAL), "a term has at most {LOCAL} unknowns");
+    let defining = terms.filter(|term| !term.massless().is_empty());
+    let defined: Vec<_> = defining.map(|term| (term.massless().to_vec(), term.multipliers())).collect();
+    Pattern::new(coordinates, rows, &blocks, &defined)
+}
+
+/// Returns the scatter maps of some terms.
+pub(super) fn scatters(pattern: &Pattern, coordinates: usize, terms: &[Arc<dyn Term>]) -> Vec<Scatter> {
+    let unknowns = |term: &Arc<dyn Term>| -> Vec<u32> { unknowns(&**term, coordinates).collect() };
+    terms.iter().map(|term| Scatter::new(pattern, &unknowns(term))).collect()
 }

@@ -6,28 +6,26 @@ use std::sync::Arc;
 use nalgebra::DVector;
 
 use super::batch::{Batch, GatheredLanes, LocalLanes, LowerLanes, PlacedBatch};
-use super::contact_pairs::{
-    ActivePair, ContactSearch, acting_pairs, is_missing, is_near_missing, near_pairs, with_pairs,
-};
+use super::contact_pairs::{ActiveContacts, ActiveGroup, ActivePair, ContactSearch, acting_pairs};
 use super::dependence::{redundant_rows, scaled_constraint_rows};
 use super::energy::{Energy, Level, Power};
 use super::motion_equations::EquationsOfMotion;
-use super::scatter::Scatter;
+use super::scatter::{Scatter, pattern_of, scatters};
 use super::state::{Inadmissibility, State, StepStates, Weights};
 use super::stiffness_products::{StiffnessProducts, stiffness_products};
 use super::term::{LOCAL, Local, LocalMatrix, Term};
-use super::term_sums::{LocalEnds, LocalState, Rotation, largest_rotation, powers, skew_stiffness, unknowns};
+use super::term_sums::{LocalEnds, LocalState, Rotation, largest_rotation, powers, skew_stiffness};
 use super::thread_parts::{ThreadParts, enclosing_range};
-use crate::sparse::{ConstraintRow, IndexLists, Pattern, SparseMatrix};
+use crate::sparse::{ConstraintRow, Pattern, SparseMatrix};
 
 /// Equations of motion as a sum of terms: gather, evaluate, scatter.
 pub struct System {
     coordinates: usize,
     multipliers: usize,
     terms: Vec<Arc<dyn Term>>,
-    /// Searches that add terms, and the pairs of the last terms in ascending order.
-    searches: Arc<[Arc<dyn ContactSearch>]>,
-    active: Vec<ActivePair>,
+    /// Number of terms without contacts, which are the last ones.
+    lasting: usize,
+    contacts: ActiveContacts,
     /// Indices of the terms with multipliers, and the rows that determine the order of elimination.
     constraints: Vec<usize>,
     rows: Arc<[ConstraintRow]>,
@@ -57,9 +55,25 @@ impl System {
     /// If a term has more than [`LOCAL`] unknowns or an unknown out of range. This is a programming error, not an input
     /// error.
     pub fn new(coordinates: usize, multipliers: usize, terms: Vec<Box<dyn Term>>) -> Self {
-        let terms: Vec<_> = terms.into_iter().map(Arc::from).collect();
-        let rows = scaled_constraint_rows(&terms, coordinates, multipliers).into();
-        Self::from_terms(coordinates, rows, terms, Arc::default(), Vec::new())
+        let terms: Vec<Arc<dyn Term>> = terms.into_iter().map(Arc::from).collect();
+        let rows: Arc<[ConstraintRow]> = scaled_constraint_rows(&terms, coordinates, multipliers).into();
+        let pattern = Arc::new(pattern_of(coordinates, &rows, terms.iter()));
+        Self {
+            coordinates,
+            multipliers,
+            lasting: terms.len(),
+            contacts: ActiveContacts::default(),
+            constraints: (0..terms.len()).filter(|&i| !terms[i].multipliers().is_empty()).collect(),
+            angles: terms.iter().filter_map(|term| term.counted_angle()).collect(),
+            scatters: scatters(&pattern, coordinates, &terms),
+            unbatched: (0..terms.len()).collect(),
+            terms,
+            rows,
+            pattern,
+            batches: Arc::default(),
+            by_rows: ThreadParts::new(&[]),
+            by_entries: ThreadParts::new(&[]),
+        }
     }
 
     /// Adds searches for terms that are active in some states only.
@@ -68,40 +82,7 @@ impl System {
     /// [`with_active_terms`](EquationsOfMotion::with_active_terms) is called.
     #[must_use]
     pub fn with_searches(self, searches: Vec<Arc<dyn ContactSearch>>) -> Self {
-        Self { searches: searches.into(), ..self }
-    }
-
-    fn from_terms(
-        coordinates: usize,
-        rows: Arc<[ConstraintRow]>,
-        terms: Vec<Arc<dyn Term>>,
-        searches: Arc<[Arc<dyn ContactSearch>]>,
-        active: Vec<ActivePair>,
-    ) -> Self {
-        let blocks: IndexLists = terms.iter().map(|term| unknowns(&**term, coordinates)).collect();
-        assert!(blocks.iter().all(|block| block.len() <= LOCAL), "a term has at most {LOCAL} unknowns");
-        let defining = terms.iter().filter(|term| !term.massless().is_empty());
-        let defined: Vec<_> = defining.map(|term| (term.massless().to_vec(), term.multipliers())).collect();
-        let pattern = Pattern::new(coordinates, &rows, &blocks, &defined);
-        let scatters = blocks.iter().map(|unknowns| Scatter::new(&pattern, unknowns)).collect();
-        let constraints = (0..terms.len()).filter(|&i| !terms[i].multipliers().is_empty()).collect();
-        let angles = terms.iter().filter_map(|term| term.counted_angle()).collect();
-        Self {
-            coordinates,
-            multipliers: rows.len(),
-            unbatched: (0..terms.len()).collect(),
-            terms,
-            searches,
-            active,
-            constraints,
-            rows,
-            pattern: Arc::new(pattern),
-            angles,
-            scatters,
-            batches: Arc::default(),
-            by_rows: ThreadParts::new(&[]),
-            by_entries: ThreadParts::new(&[]),
-        }
+        Self { contacts: ActiveContacts::new(searches), ..self }
     }
 
     /// Evaluates terms in batches, each given with the index of its first term.
@@ -128,14 +109,35 @@ impl System {
         Self { batches, unbatched, by_rows, by_entries, ..self }
     }
 
-    /// Replaces the terms of the pairs by those of other pairs, in ascending order.
-    fn with_pair_terms(&self, active: Vec<ActivePair>) -> (Self, SparseMatrix) {
-        let lasting = self.terms[..self.terms.len() - self.active.len()].iter().cloned();
-        let terms = lasting.chain(active.iter().map(|&(i, pair)| self.searches[i].term(pair))).collect();
-        let (rows, searches) = (Arc::clone(&self.rows), Arc::clone(&self.searches));
-        let system = Self::from_terms(self.coordinates, rows, terms, searches, active)
-            .in_batches(Arc::clone(&self.batches))
-            .with_shared_multipliers(self.pattern.sharing().map(|unknown| unknown - self.coordinates));
+    /// Replaces the terms of the contact groups by those of other groups, in ascending order.
+    fn with_group_terms(&self, groups: Vec<ActiveGroup>) -> (Self, SparseMatrix) {
+        let terms = self.contacts.terms_of(&groups, &self.terms[self.lasting..]);
+        self.with_terms(terms, groups)
+    }
+
+    /// Replaces the terms of contacts. `groups` are their groups, or empty for other terms.
+    fn with_terms(&self, added: Vec<Arc<dyn Term>>, groups: Vec<ActiveGroup>) -> (Self, SparseMatrix) {
+        let (n, lasting) = (self.coordinates, &self.terms[..self.lasting]);
+        let new = |added: &[&Arc<dyn Term>]| pattern_of(n, &self.rows, lasting.iter().chain(added.iter().copied()));
+        let (contacts, pattern) = self.contacts.replaced(groups, (&added, n), &self.pattern, new);
+        let terms: Vec<_> = lasting.iter().cloned().chain(added).collect();
+        let kept = if Arc::ptr_eq(&pattern, &self.pattern) { self.lasting } else { 0 };
+        let new = scatters(&pattern, n, &terms[kept..]);
+        let system = Self {
+            contacts,
+            constraints: self.constraints.clone(),
+            rows: Arc::clone(&self.rows),
+            angles: self.angles.clone(),
+            scatters: self.scatters[..kept].iter().cloned().chain(new).collect(),
+            pattern,
+            terms,
+            batches: Arc::default(),
+            unbatched: Vec::new(),
+            by_rows: ThreadParts::new(&[]),
+            by_entries: ThreadParts::new(&[]),
+            ..*self
+        }
+        .in_batches(Arc::clone(&self.batches));
         let matrix = system.matrix();
         (system, matrix)
     }
@@ -152,7 +154,7 @@ impl System {
 
     /// Returns the searches for contacts.
     pub fn searches(&self) -> &[Arc<dyn ContactSearch>] {
-        &self.searches
+        &self.contacts.searches
     }
 
     /// Returns the terms.
@@ -349,15 +351,15 @@ impl EquationsOfMotion for System {
     }
 
     fn crossing(&self, from: &State, to: &State) -> Option<usize> {
-        self.searches.iter().find_map(|search| search.crossing(from, to))
+        self.searches().iter().find_map(|search| search.crossing(from, to))
     }
 
     fn passing(&self, from: &State, to: &State) -> Option<f64> {
-        self.searches.iter().find_map(|search| search.passing(from, to))
+        self.searches().iter().find_map(|search| search.passing(from, to))
     }
 
     fn acting_pairs(&self, s: &State) -> Option<Vec<ActivePair>> {
-        (!self.searches.is_empty()).then(|| acting_pairs(&self.terms, &self.active, s))
+        (!self.searches().is_empty()).then(|| acting_pairs(self.searches(), s))
     }
 
     fn rotation(&self, from: &State, to: &State) -> Rotation {
@@ -365,24 +367,24 @@ impl EquationsOfMotion for System {
     }
 
     fn with_near_terms(&self, s: &State) -> Option<(Self, SparseMatrix)> {
-        let near = near_pairs(&self.searches, s);
-        is_near_missing(&self.active, &near).then(|| self.with_pair_terms(with_pairs(&near, &[])))
+        self.contacts.near(s).map(|groups| self.with_group_terms(groups))
     }
 
     fn with_active_terms(&self, s: &State) -> Option<(Self, SparseMatrix)> {
-        let near = near_pairs(&self.searches, s);
-        // The pairs of the start of the step are kept, so that repetitions of the step terminate.
-        is_missing(&self.active, &near, 0.0).then(|| self.with_pair_terms(with_pairs(&near, &self.active)))
+        self.contacts.completed(s).map(|groups| self.with_group_terms(groups))
     }
 
-    fn active_pairs(&self) -> Vec<ActivePair> {
-        self.active.clone()
+    fn active_groups(&self) -> Vec<ActiveGroup> {
+        self.contacts.groups.clone()
     }
 
-    fn with_pairs(&self, active: &[ActivePair]) -> Option<(Self, SparseMatrix)> {
-        let is_here = |(i, pair): &ActivePair| self.searches.get(*i).is_some_and(|each| each.contains(*pair));
-        (active.is_sorted_by(|a, b| a < b) && active.iter().all(is_here))
-            .then(|| self.with_pair_terms(active.to_vec()))
+    fn with_groups(&self, groups: &[ActiveGroup]) -> Option<(Self, SparseMatrix)> {
+        self.contacts.accepts(groups).then(|| self.with_group_terms(groups.to_vec()))
+    }
+
+    fn with_pairs(&self, pairs: &[ActivePair]) -> Option<(Self, SparseMatrix)> {
+        let term = |(i, pair): &ActivePair| Some(self.searches().get(*i)?.term(*pair));
+        Some(self.with_terms(pairs.iter().map(term).collect::<Option<_>>()?, Vec::new()))
     }
 
     fn degrees_of_freedom(&self, s: &State) -> usize {

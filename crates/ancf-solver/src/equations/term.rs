@@ -62,6 +62,7 @@ impl<'a> LocalMatrix<'a> {
     }
 
     /// Adds to entry (i, j), i ≥ j.
+    #[inline]
     pub fn add(&mut self, i: usize, j: usize, value: f64) {
         debug_assert!(i >= j && i < self.size, "entries are in the lower triangle");
         self.values[self.at(i, j)] += value;
@@ -78,6 +79,7 @@ impl<'a> LocalMatrix<'a> {
     }
 
     /// Returns the index of entry (i, j): column j ends with row n − 1 at (j + 1) n − j (j + 1)/2 − 1.
+    #[inline]
     const fn at(&self, i: usize, j: usize) -> usize {
         j * self.size - j * (j + 1) / 2 + i
     }

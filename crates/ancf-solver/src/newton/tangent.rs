@@ -1,3 +1,5 @@
+use std::sync::Arc;
+
 use serde::{Deserialize, Serialize};
 
 use super::error::SolveFailure;
@@ -125,12 +127,14 @@ impl NewtonTangent {
         })
     }
 
-    /// Replaces the matrix by one of another pattern.
+    /// Replaces the matrix by one of other equations. The storage of an equal pattern is kept.
     pub(crate) fn replace_matrix(&mut self, matrix: SparseMatrix) -> Result<(), SolveFailure> {
+        if !Arc::ptr_eq(matrix.pattern(), self.matrix.pattern()) {
+            self.factor = Factor::new(matrix.pattern()).map_err(|_| SolveFailure::Memory)?;
+            self.matrix = matrix;
+        }
         let TangentUsage { policy, pause, last_pause, .. } = self.usage;
-        let Self { matrix, factor, usage, .. } = Self::new(matrix)?;
-        (self.matrix, self.factor) = (matrix, factor);
-        self.usage = TangentUsage { policy, pause, last_pause, ..usage };
+        self.usage = TangentUsage { policy, pause, last_pause, ..TangentUsage::new() };
         Ok(())
     }
 

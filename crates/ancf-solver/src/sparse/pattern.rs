@@ -171,6 +171,18 @@ impl Pattern {
         Some(supernode.start + supernode.shape().at(row, column - supernode.first as usize))
     }
 
+    /// Returns true if the pattern has the entries of a dense block over the given unknowns.
+    pub(crate) fn contains(&self, unknowns: &[u32]) -> bool {
+        let mut positions: Vec<usize> =
+            unknowns.iter().map(|&unknown| self.position(unknown as usize)).collect();
+        positions.sort_unstable();
+        let has_rows = |(k, &column): (usize, &usize)| {
+            let at = self.supernode_of(column);
+            positions[k..].iter().all(|&row| self.supernodes.row(at, row).is_some())
+        };
+        positions.iter().enumerate().all(has_rows)
+    }
+
     /// Returns the index of the diagonal entry of a position among the values of a matrix.
     pub(crate) fn diagonal(&self, position: usize) -> usize {
         let supernode = &self.supernodes.list[self.supernode_of(position)];

@@ -1,6 +1,7 @@
 //! Contact of bodies with obstacles and with each other.
 
 mod bounces;
+mod cables;
 mod crossing;
 mod forces;
 mod models;

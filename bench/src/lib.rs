@@ -6,6 +6,8 @@
 //!        measure               CPU time, repeated samples, machine peak
 //!           |
 //!        subjects              cantilever models and the work to be measured
+//!           |
+//!        models                model files of large models, structures and contacts
 //! ```
 //!
 //! Only the public interface of the library is used, so that measurements do not depend on its implementation.
@@ -13,6 +15,7 @@
 
 pub mod instructions;
 pub mod measure;
+pub mod models;
 pub mod subjects;
 pub mod table;
 

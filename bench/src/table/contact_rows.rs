@@ -3,7 +3,8 @@
 use super::row::MeasuredValue;
 use crate::Result;
 use crate::measure::{SampleSize, median, samples};
-use crate::subjects::{ContactSteps, crossing, pile, plane};
+use crate::models::{crossing, pile, plane};
+use crate::subjects::ContactSteps;
 
 /// Milliseconds per step of ten cables in a pile.
 pub fn pile_of_ten() -> Result<MeasuredValue> {

@@ -6,7 +6,7 @@ use std::path::Path;
 use super::process::{ProgramCost, program_run};
 use super::row::{MeasuredValue, RowSpec, RowUnit};
 use crate::Result;
-use crate::subjects::large_models::{chain, frames, modes, probes};
+use crate::models::{chain, frames, modes, probes};
 
 type Measure = fn() -> Result<MeasuredValue>;
 

@@ -6,9 +6,10 @@ use super::row::{LimitingResource, LowerBound, MeasuredValue, RowSpec, RowUnit, 
 use super::{contact_rows, large_model_rows, lower_bounds};
 use crate::Result;
 use crate::measure::{Machine, SampleSize, median, sample, samples};
+use crate::models::{lattice, net, platform};
 use crate::subjects::{
     CantileverKind, ElementEvaluation, Evaluation, LinearSolution, Subject, SystemEvaluation, TimeSteps,
-    cantilever, lattice, net, platform,
+    cantilever,
 };
 
 /// Number of elements of small models.

@@ -7,7 +7,7 @@ use std::io::Read;
 use std::path::Path;
 
 use ancf_report::Snapshot;
-use ancf_report::paraview::{FrameSelection, Writer, Written};
+use ancf_report::paraview::{Writer, Written};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use flate2::read::ZlibDecoder;
@@ -397,15 +397,4 @@ fn a_full_disk_is_said_and_leaves_no_collection() {
     assert!(error.contains("cannot write") && error.contains("00000.vtu"), "{error}");
     assert!(error.contains("No space left"), "{error}");
     assert!(!folder.path().join("sections.pvd").exists());
-}
-
-#[test]
-fn selections_are_ranges_and_evenly_thinned() {
-    let values: Vec<f64> = (0..=100).map(f64::from).collect();
-    let all = FrameSelection::default();
-    assert_eq!(all.pick(&values).len(), 101);
-    assert_eq!(FrameSelection { most: 5, ..all }.pick(&values), [0, 25, 50, 75, 100]);
-    assert_eq!(FrameSelection { from: 10.0, to: 12.0, ..all }.pick(&values), [10, 11, 12]);
-    assert_eq!(FrameSelection { from: 10.0, to: 50.0, most: 2 }.pick(&values), [10, 50]);
-    assert!(FrameSelection { from: 200.0, ..all }.pick(&values).is_empty());
 }

@@ -1,10 +1,8 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use super::energy::{Energy, Power};
 use super::scatter::Scatter;
-use super::state::{State, Weights};
-use super::term::Term;
+use super::terms::{Energy, Power, State, Term, Weights};
 
 /// Maximum number of terms that a batch evaluates side by side.
 pub const LANES: usize = 8;
@@ -14,7 +12,7 @@ pub const LANES: usize = 8;
 #[repr(align(64))]
 pub struct Lanes(pub [f64; LANES]);
 
-/// State variables of the terms of a batch, side by side: one [`Local`](super::term::Local) per lane.
+/// State variables of the terms of a batch, side by side: one [`Local`](super::terms::Local) per lane.
 ///
 /// Lanes beyond the number of terms repeat the last term.
 #[derive(Clone, Copy, Debug)]
@@ -49,13 +47,13 @@ pub trait Batch: Send + Sync {
     fn energy(&self, at: &LocalLanes<'_>) -> Energy;
 
     /// Returns the first term that does not admit this state
-    /// ([`Term::inadmissibility`](super::term::Term::inadmissibility)).
+    /// ([`Term::inadmissibility`](super::terms::Term::inadmissibility)).
     fn inadmissible(&self, at: &LocalLanes<'_>) -> Option<usize>;
 
     /// True if the terms have damping forces.
     fn is_damped(&self) -> bool;
 
-    /// Adds the damping forces of the terms ([`Term::damping_forces`](super::term::Term::damping_forces)).
+    /// Adds the damping forces of the terms ([`Term::damping_forces`](super::terms::Term::damping_forces)).
     fn damping_forces(&self, at: &LocalLanes<'_>, r: &mut [Lanes]);
 
     /// Returns the sum of the powers of the terms. Terms of batches supply none.

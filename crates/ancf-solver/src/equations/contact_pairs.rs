@@ -1,9 +1,8 @@
 use std::fmt::Debug;
 use std::sync::Arc;
 
-use super::state::State;
-use super::term::{LOCAL, Term};
 use super::term_sums::{LocalState, unknowns};
+use super::terms::{LOCAL, State, Term};
 use crate::sparse::{IndexLists, Pattern};
 
 /// Pair of possible contact partners, by indices of its [`ContactSearch`].

@@ -1,10 +1,9 @@
 use nalgebra::DVector;
 
 use super::contact_pairs::{ActiveGroup, ActivePair};
-use super::energy::{Energy, Level, Power};
-use super::state::{Inadmissibility, State, StepStates, Weights};
 use super::stiffness_products::StiffnessProducts;
 use super::term_sums::Rotation;
+use super::terms::{Energy, Inadmissibility, Level, Power, State, StepStates, Weights};
 use crate::sparse::{Pattern, SparseMatrix};
 
 /// Large change of the load factor.
@@ -72,7 +71,7 @@ pub trait EquationsOfMotion {
 
     /// Assembles the residual of a step of the energy-momentum scheme ([`Term::average_residual`]).
     ///
-    /// [`Term::average_residual`]: super::term::Term::average_residual
+    /// [`Term::average_residual`]: super::terms::Term::average_residual
     fn average_residual(&self, step: &StepStates<'_>, r: &mut [f64]) {
         self.residual(step.middle, r);
         self.constraints(step.to, Level::Position, &mut r[step.to.q.len()..]);
@@ -80,7 +79,7 @@ pub trait EquationsOfMotion {
 
     /// Assembles a symmetric tangent of the step for weights of its end ([`Term::average_tangent`]).
     ///
-    /// [`Term::average_tangent`]: super::term::Term::average_tangent
+    /// [`Term::average_tangent`]: super::terms::Term::average_tangent
     fn average_tangent(&self, step: &StepStates<'_>, w: Weights, k: &mut SparseMatrix) {
         self.tangent(step.middle, w.of_middle(), k);
     }
@@ -88,7 +87,7 @@ pub trait EquationsOfMotion {
     /// Adds the change of the stiffness at a state if the stresses are those that the linear system at the state `from` predicts
     /// ([`Term::stress_prediction`]). Equations without strains have none.
     ///
-    /// [`Term::stress_prediction`]: super::term::Term::stress_prediction
+    /// [`Term::stress_prediction`]: super::terms::Term::stress_prediction
     fn add_stress_prediction(&self, _s: &State, _from: &State, _k: &mut SparseMatrix) {}
 
     /// Assembles the initial stress stiffness at the configuration of a state.
@@ -96,7 +95,7 @@ pub trait EquationsOfMotion {
     /// The stresses, multipliers and loads are the first-order response to the increment `by` of q, λ and the load
     /// factor ([`Term::stress_stiffness`]).
     ///
-    /// [`Term::stress_stiffness`]: super::term::Term::stress_stiffness
+    /// [`Term::stress_stiffness`]: super::terms::Term::stress_stiffness
     fn stress_stiffness(&self, s: &State, by: &State, k: &mut SparseMatrix);
 
     /// Returns a coordinate of a term that does not admit this state, and the reason, if there is one.
@@ -117,7 +116,7 @@ pub trait EquationsOfMotion {
     ///
     /// It is empty if all forces of the state have a potential ([`Term::skew_stiffness`]).
     ///
-    /// [`Term::skew_stiffness`]: super::term::Term::skew_stiffness
+    /// [`Term::skew_stiffness`]: super::terms::Term::skew_stiffness
     fn skew_stiffness(&self, _s: &State) -> Vec<(usize, usize, f64)> {
         Vec::new()
     }

@@ -1,8 +1,8 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use super::term::{LOCAL, Term};
 use super::term_sums::unknowns;
+use super::terms::{LOCAL, Term};
 use super::thread_parts::enclosing_range;
 use crate::sparse::{ConstraintRow, IndexLists, Pattern, QUAD, SupernodeShape};
 

@@ -4,9 +4,8 @@ use std::sync::Arc;
 
 use nalgebra::{DMatrix, DVector};
 
-use super::state::{State, Weights};
-use super::term::{LOCAL, LocalMatrix, Term};
 use super::term_sums::LocalState;
+use super::terms::{LOCAL, LocalMatrix, State, Term, Weights};
 
 /// Products of the stiffness matrix K with the columns of X.
 #[derive(Clone, Debug)]

@@ -2,9 +2,7 @@
 
 use std::sync::Arc;
 
-use super::energy::Power;
-use super::state::{State, StepStates};
-use super::term::{LOCAL, Local, LocalStep, Term};
+use super::terms::{LOCAL, Local, LocalStep, Power, State, StepStates, Term};
 
 /// Skew entries below this part of the largest one are zero.
 const NEGLIGIBLE: f64 = 1e-14;

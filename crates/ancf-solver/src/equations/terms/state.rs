@@ -77,7 +77,7 @@ impl State {
 }
 
 /// Step of the energy-momentum scheme: its ends, its middle and its numerical damping
-/// ([`LocalStep`](super::term::LocalStep)).
+/// ([`LocalStep`](super::local::LocalStep)).
 #[derive(Clone, Copy, Debug)]
 pub struct StepStates<'a> {
     /// Start of the step.

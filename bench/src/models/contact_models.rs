@@ -1,6 +1,7 @@
 //! Models of soft cables in contact.
 
-use super::cantilever::STEP;
+/// Time step.
+const STEP: f64 = 1e-3;
 
 /// Returns the model file of straight cables of 1 m that fall crosswise on the ground and on each other.
 pub fn pile(cables: u32, elements: u32) -> String {

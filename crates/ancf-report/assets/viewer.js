@@ -4273,9 +4273,10 @@ vec3 shade(vec3 base, vec3 viewNormal, vec3 viewPosition) {
   vec3 fill = normalize(vec3(0.8, -0.1, 0.5));
   float diffuse = 0.60 + 0.42 * max(0.0, dot(n, key)) + 0.14 * max(0.0, dot(n, fill)) - 0.16 * max(0.0, -n.y);
   float specular = pow(max(0.0, dot(n, normalize(key + v))), 48.0);
-  float rim = pow(1.0 - max(0.0, dot(n, v)), 3.0);
-  float lift = backdrop * (0.12 + 0.3 * rim);
-  return base * (diffuse - 0.18 * rim * (1.0 - backdrop)) * (1.0 - lift) + lift + 0.16 * specular;
+  float rim = 1.0 - max(0.0, dot(n, v));
+  float lift = backdrop * (0.12 + 0.3 * rim * rim * rim);
+  float dim = (1.0 - backdrop) * 0.45 * rim * rim;
+  return base * (diffuse - dim) * (1.0 - lift) + lift + 0.16 * specular;
 }
 `;var Ao=`
 precision highp float;

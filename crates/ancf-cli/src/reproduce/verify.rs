@@ -29,7 +29,7 @@ Examples:
   ancf verify                         all problems, report in out/verify/index.html
   ancf verify elastica -o look        one problem
 
-Exit code 0 if all hold, 1 if one does not.";
+Exit code 0 if all passed, 1 if one failed.";
 
 /// Returns the names of all problems as values of the argument. Other names are rejected, with the nearest as a suggestion.
 fn names() -> PossibleValuesParser {
@@ -56,7 +56,7 @@ impl VerifyArguments {
         let verdicts = solve_problems(&problems, |verdict| print(&format!("{}\n", verdict.line(width))));
         let record = write_verification(&folder, &verdicts, clock.elapsed().as_secs_f64())?;
         let holding = verdicts.iter().filter(|verdict| verdict.holds()).count();
-        print_status(&format!("{holding} of {} problems hold", verdicts.len()));
+        print_status(&format!("{holding} of {} problems passed", verdicts.len()));
         let report = self.output.join("index.html").display().to_string();
         print_status(&format!("report in {report}"));
         print_json(&VerifyJson { report, record: &record });

@@ -28,7 +28,7 @@ pub fn open_run(folder: &Path) -> Result<Result<Results, Ended>> {
             Ok(Ok(results))
         }
         Ok(_) => Ok(Err(reject(&format!(
-            "{} holds no run: there is a model.toml and no results",
+            "{} contains no run: there is a model.toml and no results",
             folder.display()
         )))),
         Err(OpenError::Model { path, errors }) => Ok(Err(refuse(&errors, &path))),

@@ -25,8 +25,8 @@ fn a_problem_is_reported() {
     let run = into(folder.path(), &["elastica"]);
     assert_eq!(run.status.code(), Some(0), "{}", text(&run.stderr));
     let lines = text(&run.stdout);
-    assert!(lines.starts_with("elastica  holds ") && lines.lines().count() == 1, "{lines}");
-    assert!(text(&run.stderr).contains("1 of 1 problems hold"));
+    assert!(lines.starts_with("elastica  passed ") && lines.lines().count() == 1, "{lines}");
+    assert!(text(&run.stderr).contains("1 of 1 problems passed"));
 
     let results: Value =
         serde_json::from_slice(&fs::read(folder.path().join("results.json")).unwrap()).unwrap();
@@ -47,7 +47,7 @@ fn a_problem_is_reported() {
 
     let page = fs::read_to_string(folder.path().join("index.html")).unwrap();
     assert!(page.contains("The problem holds.") && page.contains("<section id=\"elastica\">"));
-    assert_eq!(page.matches("<td class=\"text\"><span class=\"good\">holds").count(), comparisons.len() + 1);
+    assert_eq!(page.matches("<td class=\"text\"><span class=\"good\">passed").count(), comparisons.len() + 1);
     assert_well_formed(&page, folder.path());
 }
 

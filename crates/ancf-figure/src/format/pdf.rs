@@ -45,7 +45,7 @@ fn state_name(number: usize) -> Vec<u8> {
 /// Content of a page.
 struct Drawing {
     content: Content,
-    /// Opacities below one.
+    /// Opacities of the graphics states of the page.
     opacities: Vec<f32>,
 }
 

@@ -56,9 +56,9 @@ fn summary(verdicts: &[ProblemVerdict], record: &VerificationRecord) -> Markup {
 fn headline(verdicts: &[ProblemVerdict]) -> String {
     let holding = verdicts.iter().filter(|verdict| verdict.holds()).count();
     match (verdicts.len(), holding) {
-        (1, 1) => "The problem holds.".to_owned(),
-        (all, holding) if all == holding => format!("All {all} problems hold."),
-        (all, holding) => format!("{holding} of {all} problems hold; {} failed.", all - holding),
+        (1, 1) => "The problem passed.".to_owned(),
+        (all, holding) if all == holding => format!("All {all} problems passed."),
+        (all, holding) => format!("{holding} of {all} problems passed; {} failed.", all - holding),
     }
 }
 
@@ -137,7 +137,7 @@ fn compared(verdict: &ProblemVerdict) -> Markup {
     html! {
         @if count > MAX_ROWS && off == 0 {
             details {
-                summary { "All " (count) " numbers hold" @if let Some(worst) = verdict.worst() {
+                summary { "All " (count) " numbers passed" @if let Some(worst) = verdict.worst() {
                     "; the worst is " (worst.what) ", " (error(worst)) " off, where " (tolerance(worst)) " is allowed"
                 } "." }
                 (table(verdict))
@@ -174,7 +174,7 @@ fn row(comparison: &Comparison) -> Markup {
 }
 
 fn word(holds: bool) -> Markup {
-    html! { @if holds { span.good { "holds" } } @else { strong.off { "failed" } } }
+    html! { @if holds { span.good { "passed" } } @else { strong.off { "failed" } } }
 }
 
 /// Formats a number of a comparison with two digits beyond its tolerance.

@@ -58,7 +58,7 @@ impl ProblemVerdict {
 
     /// Returns the verdict in a word.
     pub fn word(&self) -> &'static str {
-        if self.holds() { "holds" } else { "FAILED" }
+        if self.holds() { "passed" } else { "FAILED" }
     }
 
     /// Returns a line for the terminal. The name has `width` characters.

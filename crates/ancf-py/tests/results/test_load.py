@@ -197,7 +197,7 @@ def test_a_run_without_states_reports_it(program: Path, rod: dict[str, Any], tmp
 
 
 def test_errors_of_folders(program: Path, rod: dict[str, Any], tmp_path: Path) -> None:
-    with pytest.raises(FileNotFoundError, match=r"nothing holds no run: there is no model\.toml"):
+    with pytest.raises(FileNotFoundError, match=r"nothing contains no run: there is no model\.toml"):
         ancf.load(tmp_path / "nothing")
     out = folder_of(program, rod, tmp_path)
     model = (out / "model.toml").read_text()

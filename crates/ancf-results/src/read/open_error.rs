@@ -8,7 +8,7 @@ use thiserror::Error;
 #[derive(Debug, Error)]
 pub enum OpenError {
     /// The folder contains no run.
-    #[error("{0} holds no run: there is no model.toml")]
+    #[error("{0} contains no run: there is no model.toml")]
     NoRun(PathBuf),
     /// The model is invalid in this version of the program.
     #[error("{path}: {errors}")]

@@ -53,8 +53,8 @@ fn rejected_commands_print_one_line() {
             "error: model.toml is a file, expected a folder for the results\n",
         ),
         (&["check", "no.toml"], 2, "no.toml: no such file\n"),
-        (&["resume", "nowhere"], 2, "error: nowhere holds no run: there is no model.toml\n"),
-        (&["resume", "."], 2, "error: . holds no run: there is a model.toml and no results\n"),
+        (&["resume", "nowhere"], 2, "error: nowhere contains no run: there is no model.toml\n"),
+        (&["resume", "."], 2, "error: . contains no run: there is a model.toml and no results\n"),
         (&["resume", "out"], 0, "out is finished: there is nothing to do\n"),
         (&["plot", "out", "-o", "tip.svg"], 2, "error: no columns given; `ancf plot DIR` lists them\n"),
     ];

@@ -100,7 +100,7 @@ fn unknown_columns_and_folders_are_rejected() {
     let cases = [("nowhere", "there is no model.toml"), (".", "there is a model.toml and no results")];
     for (place, why) in cases {
         let none = folder.ancf(&["plot", place, "tip.y"]);
-        assert_eq!((none.code, none.messages), (Some(2), format!("error: {place} holds no run: {why}\n")));
+        assert_eq!((none.code, none.messages), (Some(2), format!("error: {place} contains no run: {why}\n")));
     }
 }
 

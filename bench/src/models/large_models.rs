@@ -23,7 +23,7 @@ pub fn chain(bodies: u32) -> String {
         let b = if k == 0 {
             String::new()
         } else {
-            format!(", b = {{ body = \"r{}\", at = [{x:?}, 0.0, 0.0] }}", k - 1)
+            format!("\nb = {{ body = \"r{}\", at = [{x:?}, 0.0, 0.0] }}", k - 1)
         };
         text += &format!(
             r#"

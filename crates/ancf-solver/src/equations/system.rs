@@ -109,7 +109,11 @@ impl System {
     }
 
     /// Replaces the terms of contacts. `groups` are their groups, or empty for other terms.
-    pub(super) fn with_terms(&self, added: Vec<Arc<dyn Term>>, groups: Vec<ActiveGroup>) -> (Self, SparseMatrix) {
+    pub(super) fn with_terms(
+        &self,
+        added: Vec<Arc<dyn Term>>,
+        groups: Vec<ActiveGroup>,
+    ) -> (Self, SparseMatrix) {
         let (n, lasting) = (self.coordinates, &self.terms[..self.lasting]);
         let new =
             |added: &[&Arc<dyn Term>]| pattern_of(n, &self.rows, lasting.iter().chain(added.iter().copied()));

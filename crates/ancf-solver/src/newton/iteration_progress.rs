@@ -11,10 +11,10 @@ pub(crate) struct IterationProgress {
     pub(crate) first: Option<f64>,
     /// Smallest energy of an increment so far.
     least: Option<f64>,
-    /// Largest energy of an increment after the first one, which balances the loads.
-    largest: f64,
     /// Energy of the last increment.
     pub(crate) last: Option<f64>,
+    /// Energies of the two increments before it.
+    before: [f64; 2],
     /// Smallest norm of the gaps of the constraints before an increment, in statics.
     pub(crate) gap: Option<f64>,
     /// Number of consecutive iterations that did not halve the energy.
@@ -27,9 +27,9 @@ impl IterationProgress {
         self.last.map(|last| (energy / last).sqrt())
     }
 
-    /// Returns the largest energy of the last increment and of those after the first one.
-    pub(crate) fn largest(&self) -> Option<f64> {
-        self.last.map(|last| last.max(self.largest))
+    /// Returns the largest energy of the last three increments.
+    pub(crate) fn recent(&self) -> Option<f64> {
+        self.last.map(|last| self.before.into_iter().fold(last, f64::max))
     }
 
     /// Returns true if the energies have decreased by more than the stopping rule requires of a motion.
@@ -42,9 +42,7 @@ impl IterationProgress {
     }
 
     pub(crate) fn record(&mut self, energy: f64) {
-        if self.last.is_some() {
-            self.largest = self.largest.max(energy);
-        }
+        self.before = [self.last.unwrap_or(0.0), self.before[0]];
         let stagnant = self.least.is_some_and(|least| energy >= 0.5 * least);
         self.stagnant = if stagnant { self.stagnant + 1 } else { 0 };
         self.last = Some(energy);

@@ -293,7 +293,7 @@ impl Newton {
         let largest = self.energy;
         let is_zero = |newton: &mut Self| {
             let is_noise = newton.at(eom, s).is_rounding(largest)
-                || newton.at(eom, s).is_increment_of_rounding(progress.largest());
+                || newton.at(eom, s).is_increment_of_rounding(progress.recent());
             // The energy does not see motions without forces. Their gaps close until they are rounding errors.
             let gap = norm(&newton.r[s.q.len()..]);
             is_noise

@@ -68,12 +68,12 @@ impl Iterate<'_> {
         energy <= bound && work(r) <= FLOOR * work(floor)
     }
 
-    /// Returns true in statics if the state and the increments after the first one, the largest one of an energy, have the energy of
-    /// an increment that rounding errors cause.
+    /// Returns true in statics if the state and the last increments, the largest one of an energy, have the energy of an increment that
+    /// rounding errors cause.
     ///
     /// Where joints carry all loads, the displacements are rounding errors of the linear solution, of no common size with the
     /// residual. The increment that the factors give for a residual at its rounding bounds has the same errors, which
-    /// measures them. In slender bodies this increment may have more energy than the state, so the last increment alone does not
+    /// measures them. In slender bodies this increment may have more energy than the state, so several increments
     /// decide.
     pub(super) fn is_increment_of_rounding(&mut self, energy: Option<f64>) -> bool {
         let Some(energy) = energy.filter(|_| self.weights == Weights::STIFFNESS) else { return false };

@@ -1,5 +1,5 @@
 use crate::equations::{EquationsOfMotion, State, Weights};
-use crate::factor::Factor;
+use crate::factor::{Factor, inertia};
 use crate::sparse::SparseMatrix;
 
 /// Stresses of the tangent in statics: those that the last linear system predicted, in place of those of the iterate.
@@ -54,6 +54,6 @@ impl StressPrediction {
         eom.add_stress_prediction(s, &self.from, matrix);
         self.from.copy_from(s);
         let is_factorised = factor.factorise(matrix).is_ok();
-        is_factorised && factor.negative_pivots() == Some(eom.multipliers())
+        is_factorised && factor.negative_pivots().or_else(|| inertia(matrix)) == Some(eom.multipliers())
     }
 }

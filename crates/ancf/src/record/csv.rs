@@ -11,8 +11,8 @@ pub struct Csv<W: Write> {
     line: Vec<u8>,
 }
 
-/// Bytes of the buffer of a file.
-const BUFFER: usize = 1 << 16;
+/// Bytes of the buffer of a file: a full disk is detected after a few rows.
+const BUFFER: usize = 1 << 13;
 
 impl<W: Write> fmt::Debug for Csv<W> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

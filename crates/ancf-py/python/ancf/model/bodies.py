@@ -169,7 +169,8 @@ class DisplayBox(Part):
     center
         Centre of the box, length; the centre of mass by default.
     rotation
-        Rotation vector about the centre of the box, in radians. Its length is the angle. Default: ``[0.0, 0.0, 0.0]``.
+        Rotation vector about the centre of the box, in radians. Its length is the angle. Default: ``[0.0,
+        0.0, 0.0]``.
 
     """
 
@@ -241,7 +242,8 @@ class DisplayMesh(Part):
     origin
         Position of the origin of the file, length. Default: ``[0.0, 0.0, 0.0]``.
     rotation
-        Rotation vector about the origin of the file, in radians. Its length is the angle. Default: ``[0.0, 0.0, 0.0]``.
+        Rotation vector about the origin of the file, in radians. Its length is the angle. Default: ``[0.0,
+        0.0, 0.0]``.
     scale
         Length of the unit of the file: 0.001 for millimetres in a model in metres, length; 1 by default (>
         0).

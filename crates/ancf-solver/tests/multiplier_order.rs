@@ -152,14 +152,15 @@ fn solutions_in(system: &System, s: &State, w: Weights) -> Solutions {
     let (n, m) = (system.coordinates(), system.multipliers());
     let mut k = system.matrix();
     system.tangent(s, w, &mut k);
-    let mut factor = Factor::new(k.pattern()).unwrap();
-    factor.factorise(&k).unwrap();
+    let mut factor = Factor::new(k.pattern()).expect("the memory suffices");
+    factor.factorise(&k).expect("the matrix is not singular");
     let b: Vec<f64> = (0..n + m).map(|i| ((i + 1) as f64 * 0.754_877_67).fract() - 0.5).collect();
     let mut sparse = b.clone();
-    factor.solve(&k, &mut sparse).unwrap();
+    factor.solve(&k, &mut sparse).expect("the backward error is small");
     let rows = k.dense();
     let dense = DMatrix::from_fn(n + m, n + m, |i, j| rows[i][j]);
-    let dense = dense.full_piv_lu().solve(&DVector::from(b)).unwrap().as_slice().to_vec();
+    let dense = dense.full_piv_lu().solve(&DVector::from(b)).expect("the matrix is not singular");
+    let dense = dense.as_slice().to_vec();
     Solutions { sparse, dense, factor }
 }
 

@@ -11,8 +11,8 @@ use super::supernodes::Supernodes;
 /// follows the first group that can carry it. Its Schur complement is then negative definite. Massless coordinates follow
 /// the multipliers that determine them, and their Schur complement is positive.
 ///
-/// A group with its followers forms a *supernode*, which is eliminated at once. Matrices and factors have the same
-/// storage: each supernode is dense with all rows of its fill-in.
+/// A group with its followers forms a *supernode*, which is eliminated at once. Large supernodes of nearly equal rows are
+/// merged. Matrices and factors have the same storage: each supernode is dense with all rows of its fill-in.
 #[derive(Clone, Debug)]
 pub struct Pattern {
     /// Position of each unknown.

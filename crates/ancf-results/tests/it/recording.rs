@@ -74,7 +74,7 @@ fn wide_tables_and_texts_contain_the_numbers_of_the_run() {
     let folder = TempDir::new().unwrap();
     let results = run(folder.path(), &text, &model);
     let mut series = Series::new();
-    simulate(&model, &mut series).unwrap();
+    assert!(simulate(&model, &mut series).unwrap().outcome.is_finished());
     assert!(series.names().count() > 2000);
     assert_eq!(results.columns().unwrap(), series);
     let csv = fs::read_to_string(Folder::new(folder.path()).csv()).unwrap();

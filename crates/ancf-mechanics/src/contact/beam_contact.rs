@@ -165,7 +165,7 @@ impl<'a> ContactState<'a> {
         let point = self.point(side, i);
         let Some(foot) = Foot::new(&point, &self.curves[side], axis.length(), *ends) else { return };
         let with = |point: &[(usize, f64)]| {
-            visit(&PointContact { law, radius: *radius, length: *length, foot, point, axis })
+            visit(&PointContact { law, radius: *radius, length: *length, foot, point, axis });
         };
         match points {
             ContactPoints::Single(point) => with(point.parts()),

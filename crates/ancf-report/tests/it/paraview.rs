@@ -302,7 +302,7 @@ fn strain_of_large_models_is_that_of_the_stretch() {
     // Lateral contraction is constrained at the clamp.
     let interior = (0..skin.points().len()).filter(|k| skin["s"][*k] > 0.2);
     interior.for_each(|k| {
-        assert!((skin["strain"][k] / expected - 1.0).abs() < 1e-3, "{k}: {}", skin["strain"][k])
+        assert!((skin["strain"][k] / expected - 1.0).abs() < 1e-3, "{k}: {}", skin["strain"][k]);
     });
     assert!(skin.is_closed());
 }

@@ -46,7 +46,7 @@ fn a_problem_is_reported() {
     }
 
     let page = fs::read_to_string(folder.path().join("index.html")).unwrap();
-    assert!(page.contains("The problem holds.") && page.contains("<section id=\"elastica\">"));
+    assert!(page.contains("The problem passed.") && page.contains("<section id=\"elastica\">"));
     assert_eq!(page.matches("<td class=\"text\"><span class=\"good\">passed").count(), comparisons.len() + 1);
     assert_well_formed(&page, folder.path());
 }

@@ -71,8 +71,8 @@ impl System {
 
     /// Adds searches for terms that are active in some states only.
     ///
-    /// None of these terms is included before [`with_near_terms`](EquationsOfMotion::with_near_terms) or
-    /// [`with_active_terms`](EquationsOfMotion::with_active_terms) is called.
+    /// None of these terms is included before [`with_near_terms`](super::motion_equations::EquationsOfMotion::with_near_terms) or
+    /// [`with_active_terms`](super::motion_equations::EquationsOfMotion::with_active_terms) is called.
     #[must_use]
     pub fn with_searches(self, searches: Vec<Arc<dyn ContactSearch>>) -> Self {
         Self { contacts: ActiveContacts::new(searches), ..self }

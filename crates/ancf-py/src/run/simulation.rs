@@ -51,6 +51,7 @@ impl Simulation {
             surfaces.map_err(|errors| model_error(py, &errors, None))
         })
     }
+
     /// Kind of the analysis, and the duration of a motion.
     #[getter]
     pub(crate) fn analysis(&self) -> (&'static str, Option<f64>) {

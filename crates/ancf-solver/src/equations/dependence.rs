@@ -1,10 +1,9 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
+use super::terms::{LOCAL, Local, LocalMatrix, State, Term, Weights};
 use crate::factor::SparseVector;
 use crate::sparse::ConstraintRow;
-
-use super::terms::{LOCAL, Local, LocalMatrix, State, Term, Weights};
 
 /// Linear dependence of a row on earlier rows: Σ cᵢ rowᵢ = 0, where the last cᵢ belongs to the dependent row.
 #[derive(Clone, Debug, PartialEq)]

@@ -52,8 +52,7 @@ pub(crate) struct LineSearch {
 ///
 /// The first increments of a slender beam bend it along straight tangents, which stretches its axis. The next
 /// increments remove the stretch: G grows by (δ/L)² EA L²/EI and decreases again. A strict search slows this down
-/// by a factor of ten. This value only affects beams more slender than
-/// L/d = 1000.
+/// by a factor of ten. This value only affects beams more slender than L/d = 1000.
 const RATIO: f64 = 1e8;
 /// Maximum number of trial values of α.
 const TRIALS: u32 = 8;

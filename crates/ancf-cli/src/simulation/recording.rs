@@ -59,6 +59,7 @@ pub fn record(
     let redundant = summary.redundant.iter().map(|one| format!("redundant: {one}"));
     // Warnings are printed even with `--quiet`.
     redundant.chain(summary.warnings.iter().cloned()).for_each(|one| print_error(&format!("warning: {one}")));
+    summary.initial.iter().for_each(|initial| print_status(&format!("start: {}", initial.sentence())));
     print(&values.table());
     let (sentence, columns) = (values.sentence(&summary, seconds, &folder), values.columns());
     let (is_motion, model) = (model.analysis.dynamics().is_some(), recorder.name());

@@ -10,7 +10,11 @@ impl Assembly {
     /// Initial state with the velocities of the model. They may violate the joints
     /// ([`consistent_velocities`](ancf_solver::dynamics::consistent_velocities)). `model` is the assembled model.
     pub fn start(&self, model: &Model) -> State {
-        let mut s = self.initial();
+        self.with_motions(self.initial(), model)
+    }
+
+    /// State with the initial velocities of the bodies of the model.
+    pub(crate) fn with_motions(&self, mut s: State, model: &Model) -> State {
         for (body, (_, built)) in model.bodies.iter().zip(self.bodies()) {
             if body.motion().is_rest() {
                 continue;

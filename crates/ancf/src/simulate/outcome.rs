@@ -1,13 +1,10 @@
 use std::ops::ControlFlow;
 
-use ancf_solver::equations::State;
-use ancf_solver::newton::SolveError;
+use ancf_solver::newton::{SolveError, SolveFailure};
 
-use super::run::RunFailure;
 use super::summary::Outcome;
 use crate::assembly::Assembly;
-use crate::diagnosis::MAX_LISTED;
-use crate::failure::{self, FailureCause, FailurePlace};
+use crate::failure::{self, FailureCause, FailurePlace, RunFailure};
 use crate::model::Model;
 use crate::units::Scales;
 
@@ -19,6 +16,7 @@ pub(crate) fn outcome(
     scales: Scales,
 ) -> Outcome {
     let failed = |time, reason, at, advice| Outcome::Failed { time, reason, at, advice };
+    let advise = |failure| failure::advice_for_iteration(failure, &model.analysis);
     match result {
         Ok(ControlFlow::Continue(())) => Outcome::Finished,
         Ok(ControlFlow::Break(())) => Outcome::Stopped,
@@ -26,22 +24,52 @@ pub(crate) fn outcome(
         Err(RunFailure::Solve(error, cause)) => {
             let message = format!("{error}{}", halvings(model, &error));
             let FailureText { reason, at, advice } =
-                FailureText::new(&error, message, cause, model, assembly, scales);
+                FailureText::new(&error, message, cause, &advise, assembly, scales);
             failed(error.t * scales.time, reason, at, advice)
         }
         Err(RunFailure::Equilibrium(error, cause)) => {
             let FailureText { reason, at, advice } =
-                FailureText::new(&error.cause, error.to_string(), cause, model, assembly, scales);
+                FailureText::new(&error.cause, error.to_string(), cause, &advise, assembly, scales);
             failed(error.load, reason, at, advice)
         }
         Err(RunFailure::Eigen(error)) => {
             let advice = failure::advice_for_eigen(error).into();
-            failed(0.0, error.to_string(), "the whole system".into(), advice)
+            failed(0.0, error.to_string(), WHOLE.into(), advice)
         }
         Err(RunFailure::Mechanism(motions)) => {
-            let reason = "the model has no equilibrium: a motion is unsupported".to_owned();
-            failed(0.0, reason, motions, failure::ADVICE_FOR_MECHANISMS.into())
+            failed(0.0, MECHANISM.to_owned(), motions, failure::ADVICE_FOR_MECHANISMS.into())
         }
+        Err(RunFailure::Start(failure)) => {
+            let FailureText { reason, at, advice } = start_failure(*failure, assembly, scales);
+            failed(0.0, format!("equilibrium at the start: {reason}"), at, advice)
+        }
+    }
+}
+
+/// Place of a failure that has no place.
+const WHOLE: &str = "the whole system";
+/// Reason of a failure by unsupported motions.
+const MECHANISM: &str = "the model has no equilibrium: a motion is unsupported";
+
+/// Texts of a failed search for the equilibrium at the start of a motion.
+fn start_failure(failure: RunFailure, assembly: &Assembly, scales: Scales) -> FailureText {
+    let advise = &failure::advice_for_start;
+    match failure {
+        RunFailure::Solve(error, cause) => {
+            FailureText::new(&error, error.to_string(), cause, advise, assembly, scales)
+        }
+        RunFailure::Equilibrium(error, cause) => {
+            FailureText::new(&error.cause, error.to_string(), cause, advise, assembly, scales)
+        }
+        RunFailure::Mechanism(at) => {
+            let (reason, advice) = (MECHANISM.into(), failure::ADVICE_FOR_MECHANISMS_AT_START.into());
+            FailureText { reason, at, advice }
+        }
+        RunFailure::Eigen(error) => {
+            let advice = failure::advice_for_eigen(error).into();
+            FailureText { reason: error.to_string(), at: WHOLE.into(), advice }
+        }
+        RunFailure::Start(failure) => start_failure(*failure, assembly, scales),
     }
 }
 
@@ -58,14 +86,13 @@ impl FailureText {
         error: &SolveError,
         message: String,
         cause: Option<FailureCause>,
-        model: &Model,
+        advise: &dyn Fn(SolveFailure) -> String,
         assembly: &Assembly,
         scales: Scales,
     ) -> Self {
         let Some(FailureCause { reason, at, advice }) = cause else {
             let at = assembly.place_of(error, scales.length);
-            let advice = failure::advice_for_iteration(error.failure, &model.analysis);
-            return Self { reason: message, at, advice };
+            return Self { reason: message, at, advice: advise(error.failure) };
         };
         let at = match at {
             FailurePlace::Text(text) => text,
@@ -80,16 +107,4 @@ fn halvings(model: &Model, error: &SolveError) -> String {
     let Some(settings) = model.analysis.dynamics() else { return String::new() };
     let halved = settings.step.fixed().is_some() && error.iterations > 0 && settings.max_halvings > 0;
     if halved { format!(", with the step halved {} times", settings.max_halvings) } else { String::new() }
-}
-
-/// Description of the unsupported motions in a state; `None` if there are none.
-pub(crate) fn unsupported_motions(assembly: &Assembly, s: &State, scales: Scales) -> Option<String> {
-    let motions = assembly.free_motions(s).unwrap_or_default();
-    let count = motions.len();
-    let mut texts: Vec<String> =
-        motions.into_iter().take(MAX_LISTED).map(|motion| motion.scaled(scales.length).to_string()).collect();
-    if count > MAX_LISTED {
-        texts.push(format!("and {} more", count - MAX_LISTED));
-    }
-    (count > 0).then(|| texts.join("; "))
 }

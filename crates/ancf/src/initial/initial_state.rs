@@ -1,0 +1,85 @@
+use ancf_solver::equations::{EquationsOfMotion, State};
+use ancf_solver::newton::Interrupt;
+use ancf_solver::statics::Equilibrium;
+use serde::{Deserialize, Serialize};
+
+use super::equilibrium_search::EquilibriumSearch;
+use super::report::InitialReport;
+use super::turn_counter::TurnCounter;
+use crate::assembly::Assembly;
+use crate::diagnosis::projection_warning;
+use crate::failure::{EquilibriumStability, RunFailure};
+use crate::model::{IndexedModel, Model, Origin, TimeMode};
+use crate::results::Rows;
+use crate::units::Scales;
+
+/// State from which a motion starts, before its velocities are projected onto the constraints.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub(crate) struct InitialState {
+    pub(crate) state: State,
+    /// Origin of the state; `None` for the undeformed state.
+    pub(crate) report: Option<InitialReport>,
+    pub(crate) warnings: Vec<String>,
+}
+
+impl InitialState {
+    /// Computes the initial state of a model in solver units, and counts the turns of joint angles up to it.
+    ///
+    /// # Errors
+    /// If there is no equilibrium.
+    pub(crate) fn new(
+        (model, scales): (&Model, Scales),
+        assembly: &Assembly,
+        interrupt: &Interrupt,
+        rows: &mut Rows,
+    ) -> Result<Self, RunFailure> {
+        match model.initial.from {
+            Origin::Undeformed => {
+                Ok(Self { state: assembly.start(model), report: None, warnings: Vec::new() })
+            }
+            Origin::Equilibrium => Self::equilibrium((model, scales), assembly, interrupt, rows)
+                .map_err(|failure| RunFailure::Start(Box::new(failure))),
+        }
+    }
+
+    /// Equilibrium with the velocities of the model.
+    fn equilibrium(
+        (model, scales): (&Model, Scales),
+        motion: &Assembly,
+        interrupt: &Interrupt,
+        rows: &mut Rows,
+    ) -> Result<Self, RunFailure> {
+        let frozen = IndexedModel::new(model).assembled(TimeMode::AtStart);
+        let assembly = &frozen.expect("gaps that were closed for the motion are closed for its equilibrium");
+        let settings = &model.initial.statics.settings();
+        let (mut stability, mut turns) = (EquilibriumStability::default(), TurnCounter::new(assembly, rows)?);
+        let [mut increments, mut iterations] = [0, 0];
+        let mut unstable = None;
+        let mut each = |s: &State, found: Option<&Equilibrium>| {
+            turns.count(rows, s);
+            let Some(found) = found else { return };
+            stability.add(s.load, found.unstable);
+            (increments, iterations) = (increments + 1, iterations + u64::from(found.iterations));
+            unstable = found.unstable;
+        };
+        let search = EquilibriumSearch { model, scales, assembly, settings, interrupt };
+        let found = search.run(&mut each)?;
+        rows.restart_turns();
+        let warnings = stability.warnings(assembly, &found, scales, false).into_iter();
+        let warnings = warnings.map(|warning| format!("equilibrium at the start: {warning}"));
+        let state = motion.with_motions(found, model);
+        let warnings = warnings.chain(motion.projection(&state).and_then(projection_warning)).collect();
+        Ok(Self {
+            state,
+            report: Some(InitialReport::Equilibrium { increments, iterations, unstable }),
+            warnings,
+        })
+    }
+
+    /// True if the state can be that of a model with this assembly.
+    pub(crate) fn is_valid(&self, model: &Model, assembly: &Assembly) -> bool {
+        let (system, Self { state, report, .. }) = (&assembly.system, self);
+        let is_undeformed = model.initial.from == Origin::Undeformed;
+        state.is_valid(system.coordinates(), system.multipliers()) && is_undeformed == report.is_none()
+    }
+}

@@ -50,6 +50,7 @@ fn falling(analysis: &str) -> Model {
     ))
 }
 
+const EQUILIBRIUM: &str = "[initial]\nfrom = \"equilibrium\"";
 const HALF: &str = "scheme = { spectral_radius = 0.5 }";
 
 /// Short runs with errors.
@@ -85,6 +86,14 @@ fn short_runs() -> Vec<(&'static str, Model)> {
             ),
         ),
         ("rotor", file("rotor", "duration = 0.003\nstep = 1e-4\nscheme = { spectral_radius = 0.95 }")),
+        (
+            "from equilibrium",
+            beam(damped, PULSE, &format!("duration = 0.05\nstep = 2e-3\n{HALF}\n{EQUILIBRIUM}")),
+        ),
+        (
+            "from equilibrium, adaptive",
+            beam("", PULSE, &format!("duration = 0.1\nstep = {{ tolerance = 1e-4 }}\n{HALF}\n{EQUILIBRIUM}")),
+        ),
         ("adaptive", beam("", PULSE, &format!("duration = 0.1\nstep = {{ tolerance = 1e-4 }}\n{HALF}"))),
         (
             "adaptive, at intervals",

@@ -1,6 +1,7 @@
 //! Runs of models: observers, checkpoints, failures.
 
 mod checkpoints;
+mod equilibrium_starts;
 mod extensions;
 mod failures;
 mod observers;

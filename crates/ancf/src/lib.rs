@@ -96,7 +96,7 @@ pub mod units;
 pub use ancf_mechanics as mechanics;
 pub use ancf_solver as solver;
 pub use errors::{ModelError, ModelErrors};
-pub use initial::InitialReport;
+pub use initial::{GivenState, InitialReport, StartState};
 pub use model::Model;
 pub use nalgebra;
 pub use refine::{RefinedModel, RefinementHistory, can_refine, refine};

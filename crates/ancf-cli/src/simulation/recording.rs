@@ -70,7 +70,7 @@ pub fn record(
             let errors = summary.errors.as_ref().filter(|errors| errors.resolution != Resolution::Unresolved);
             errors.iter().for_each(|errors| print_status(&errors.sentence()));
             summary.motion_errors.iter().for_each(|errors| print_status(&errors.sentence()));
-            if is_motion && summary.motion_errors.is_none() {
+            if is_motion && summary.initial.is_none() && summary.motion_errors.is_none() {
                 print_status(
                     "errors: not estimated; `--errors` states those of the time steps and of the mesh",
                 );

@@ -181,6 +181,7 @@ fn quoted(names: &[String]) -> String {
 fn start_text(from: &Origin) -> Option<String> {
     match from {
         Origin::Undeformed => None,
+        Origin::Folder(folder) => Some(format!("state of the results folder `{folder}`")),
         Origin::Equilibrium => {
             Some("equilibrium under the loads and drives at t = 0, computed by the run".to_owned())
         }

@@ -17,6 +17,8 @@ pub(crate) enum RunFailure {
     Mechanism(String),
     /// Failed search for the equilibrium from which a motion starts.
     Start(Box<RunFailure>),
+    /// Results folder whose state the program did not supply.
+    NoState(String),
 }
 
 impl RunFailure {
@@ -26,7 +28,7 @@ impl RunFailure {
             Self::Solve(error, _) => error.failure == SolveFailure::Interrupted,
             Self::Equilibrium(error, _) => error.cause.failure == SolveFailure::Interrupted,
             Self::Eigen(error) => *error == EigenError::Interrupted,
-            Self::Mechanism(_) => false,
+            Self::Mechanism(_) | Self::NoState(_) => false,
             Self::Start(failure) => failure.is_interruption(),
         }
     }

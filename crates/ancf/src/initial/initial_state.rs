@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::equilibrium_search::EquilibriumSearch;
 use super::report::InitialReport;
+use super::start_state::StartState;
 use super::turn_counter::TurnCounter;
 use crate::assembly::Assembly;
 use crate::diagnosis::projection_warning;
@@ -30,16 +31,21 @@ impl InitialState {
     pub(crate) fn new(
         (model, scales): (&Model, Scales),
         assembly: &Assembly,
-        interrupt: &Interrupt,
+        (interrupt, given): (&Interrupt, Option<&StartState>),
         rows: &mut Rows,
     ) -> Result<Self, RunFailure> {
-        match model.initial.from {
-            Origin::Undeformed => {
-                Ok(Self { state: assembly.start(model), report: None, warnings: Vec::new() })
-            }
-            Origin::Equilibrium => Self::equilibrium((model, scales), assembly, interrupt, rows)
+        match (given, &model.initial.from) {
+            (Some(given), _) => given.initial_state((model, scales), assembly),
+            (None, Origin::Undeformed) => Ok(Self::undeformed(model, assembly)),
+            (None, Origin::Equilibrium) => Self::equilibrium((model, scales), assembly, interrupt, rows)
                 .map_err(|failure| RunFailure::Start(Box::new(failure))),
+            (None, Origin::Folder(folder)) => Err(RunFailure::NoState(folder.clone())),
         }
+    }
+
+    /// Undeformed state with the velocities of the model.
+    pub(crate) fn undeformed(model: &Model, assembly: &Assembly) -> Self {
+        Self { state: assembly.start(model), report: None, warnings: Vec::new() }
     }
 
     /// Equilibrium with the velocities of the model.
@@ -77,9 +83,8 @@ impl InitialState {
     }
 
     /// True if the state can be that of a model with this assembly.
-    pub(crate) fn is_valid(&self, model: &Model, assembly: &Assembly) -> bool {
-        let (system, Self { state, report, .. }) = (&assembly.system, self);
-        let is_undeformed = model.initial.from == Origin::Undeformed;
-        state.is_valid(system.coordinates(), system.multipliers()) && is_undeformed == report.is_none()
+    pub(crate) fn is_valid(&self, assembly: &Assembly) -> bool {
+        let system = &assembly.system;
+        self.state.is_valid(system.coordinates(), system.multipliers())
     }
 }

@@ -1,8 +1,10 @@
 use serde::{Deserialize, Serialize};
 
+use crate::errors::{percentage, short};
+
 /// Report of the state from which a motion starts.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(tag = "from", rename_all = "snake_case")]
+#[serde(rename_all = "snake_case")]
 pub enum InitialReport {
     /// Equilibrium at t = 0.
     Equilibrium {
@@ -12,6 +14,15 @@ pub enum InitialReport {
         iterations: u64,
         /// Number of unstable directions; `None` if it was not determined.
         unstable: Option<usize>,
+    },
+    /// Given state, such as that of another run.
+    Given {
+        /// Description of its origin.
+        source: String,
+        /// Largest displacement by the projection of the positions onto the constraints, in the user's units.
+        moved: f64,
+        /// Kinetic energy of the correction of the velocities, relative to that of the given velocities.
+        corrected: f64,
     },
 }
 
@@ -35,6 +46,12 @@ impl InitialReport {
                     counted(*iterations, "Newton iteration")
                 )
             }
+            Self::Given { source, moved, corrected } => format!(
+                "{source}, positions moved by up to {} and velocities changed by {} of the kinetic energy to satisfy the \
+                 constraints",
+                short(*moved),
+                percentage(*corrected)
+            ),
         }
     }
 }

@@ -61,6 +61,14 @@ impl Model {
         self.analysis.dynamics().is_some() && self.initial.from == Origin::Undeformed
     }
 
+    /// Results folder in whose state a motion starts.
+    pub fn starts_from(&self) -> Option<&str> {
+        match &self.initial.from {
+            Origin::Folder(folder) if self.analysis.dynamics().is_some() => Some(folder),
+            _ => None,
+        }
+    }
+
     /// True if the model has external functions of time that are supplied, or that are not yet supplied.
     pub(crate) fn has_external_functions(&self, are_supplied: bool) -> bool {
         let is_meant = |time: &TimeFunction| match time {

@@ -18,7 +18,8 @@ use crate::results::{RowHistory, Rows};
 /// State of a dynamic analysis, from which [`Simulation::resume`] continues with bit-identical results.
 ///
 /// A checkpoint requires a format that stores numbers exactly, such as a binary one. For n coordinates and m multipliers it has
-/// about 8 (10n + 3m) bytes, with estimated errors five times as many. Reused tangents add 8 (3n + m), error control adds 8 (n + m), and each active contact pair a few.
+/// about 8 (7n + 2m) bytes, with estimated errors five times as many. Reused tangents add 8 (3n + m), error control adds 8 (n + m), a start
+/// in another state than the undeformed one 8 (3n + m), and each active contact pair a few.
 ///
 /// A checkpoint is valid for the same model and the same version of this library. External functions must be the same and must
 /// return the same values for the same arguments.
@@ -30,8 +31,8 @@ pub struct Checkpoint {
     time: f64,
     counts: StepCounts,
     rows: RowHistory,
-    /// State from which the motion started. The initialisation is repeated with it, so it is not computed again.
-    initial: InitialState,
+    /// State from which the motion started, unless it is the undeformed state. The initialisation is repeated with it.
+    initial: Option<InitialState>,
     estimate: Option<EstimateHistory>,
     monitor: StabilityMonitor,
     rotations: RotationHistory,
@@ -89,8 +90,9 @@ impl Checkpoint {
     }
 
     /// State from which the motion started.
-    pub(crate) fn initial(&self) -> &InitialState {
-        &self.initial
+    pub(crate) fn initial(&self, simulation: &Simulation) -> InitialState {
+        let undeformed = || InitialState::undeformed(&simulation.scaled, &simulation.assembly);
+        self.initial.clone().unwrap_or_else(undeformed)
     }
 
     pub(crate) fn new(
@@ -112,7 +114,7 @@ impl Checkpoint {
             time,
             counts: StepCounts::of(summary),
             rows,
-            initial: initial.clone(),
+            initial: initial.report.is_some().then(|| initial.clone()),
             estimate,
             monitor,
             rotations,
@@ -132,7 +134,9 @@ impl Checkpoint {
         let StepCounts { steps, divided_steps, rejected_steps, floor_steps, iterations, .. } = self.counts;
         let counts = [steps, divided_steps, rejected_steps, floor_steps, iterations];
         let coordinates = simulation.assembly.system.coordinates();
-        let is_initial = self.initial.is_valid(&simulation.scaled, &simulation.assembly);
+        let is_undeformed = simulation.scaled.starts_undeformed();
+        let is_initial =
+            self.initial.as_ref().map_or(is_undeformed, |initial| initial.is_valid(&simulation.assembly));
         let is_time = self.time == self.control.time() * simulation.scales().time;
         if is_initial
             && is_time

@@ -14,7 +14,7 @@ use super::step_control::StepControl;
 use super::summary::Summary;
 use crate::estimate::MotionEstimate;
 use crate::failure::{AlternationMonitor, RotationMonitor, RunFailure, StabilityMonitor, find_cause};
-use crate::initial::InitialState;
+use crate::initial::{InitialState, StartState};
 use crate::model::Dynamics;
 use crate::results::{AngleRates, Rows, TIME};
 
@@ -85,11 +85,17 @@ fn rows(simulation: &Simulation) -> Rows {
 
 impl<'a> AnalysisRun<'a> {
     /// Runs a dynamic analysis.
-    pub(crate) fn dynamics(&mut self, simulation: &'a Simulation, settings: &Dynamics) -> RunResult {
+    pub(crate) fn dynamics(
+        &mut self,
+        simulation: &'a Simulation,
+        settings: &Dynamics,
+        given: Option<&StartState>,
+    ) -> RunResult {
         let mut rows = rows(simulation);
         self.observer.begin(&rows.columns())?;
         let Simulation { scaled, assembly, interrupt, .. } = simulation;
-        let initial = InitialState::new((scaled, simulation.scales()), assembly, interrupt, &mut rows);
+        let initial =
+            InitialState::new((scaled, simulation.scales()), assembly, (interrupt, given), &mut rows);
         let initial = match initial {
             Ok(initial) => initial,
             Err(failure) => return Ok(Err(failure)),
@@ -112,7 +118,7 @@ impl<'a> AnalysisRun<'a> {
         from: &Checkpoint,
     ) -> Result<DynamicRun<'a>, Error> {
         from.check(simulation)?;
-        let initial = from.initial().clone();
+        let initial = from.initial(simulation);
         let motion = DynamicRun::new(simulation, settings, initial, rows(simulation));
         let mut motion = motion.map_err(|_| ResumeError::Damaged)?;
         let DynamicRun { rows, control, rotations, alternations, estimate, .. } = &mut motion;

@@ -4,6 +4,7 @@ use ancf_solver::newton::{SolveError, SolveFailure};
 
 use super::summary::Outcome;
 use crate::assembly::Assembly;
+use crate::errors::quoted;
 use crate::failure::{self, FailureCause, FailurePlace, RunFailure};
 use crate::model::Model;
 use crate::units::Scales;
@@ -41,7 +42,11 @@ pub(crate) fn outcome(
         }
         Err(RunFailure::Start(failure)) => {
             let FailureText { reason, at, advice } = start_failure(*failure, assembly, scales);
-            failed(0.0, format!("equilibrium at the start: {reason}"), at, advice)
+            failed(0.0, reason, at, advice)
+        }
+        Err(RunFailure::NoState(folder)) => {
+            let FailureText { reason, at, advice } = FailureText::without_state(&folder);
+            failed(0.0, reason, at, advice)
         }
     }
 }
@@ -54,7 +59,8 @@ const MECHANISM: &str = "the model has no equilibrium: a motion is unsupported";
 /// Texts of a failed search for the equilibrium at the start of a motion.
 fn start_failure(failure: RunFailure, assembly: &Assembly, scales: Scales) -> FailureText {
     let advise = &failure::advice_for_start;
-    match failure {
+    let text = match failure {
+        RunFailure::NoState(folder) => return FailureText::without_state(&folder),
         RunFailure::Solve(error, cause) => {
             FailureText::new(&error, error.to_string(), cause, advise, assembly, scales)
         }
@@ -69,8 +75,9 @@ fn start_failure(failure: RunFailure, assembly: &Assembly, scales: Scales) -> Fa
             let advice = failure::advice_for_eigen(error).into();
             FailureText { reason: error.to_string(), at: WHOLE.into(), advice }
         }
-        RunFailure::Start(failure) => start_failure(*failure, assembly, scales),
-    }
+        RunFailure::Start(failure) => return start_failure(*failure, assembly, scales),
+    };
+    FailureText { reason: format!("equilibrium at the start: {}", text.reason), ..text }
 }
 
 /// Texts of a failed iteration.
@@ -81,6 +88,15 @@ struct FailureText {
 }
 
 impl FailureText {
+    /// Texts of a results folder whose state the program did not supply.
+    fn without_state(folder: &str) -> Self {
+        Self {
+            reason: format!("the state of the results folder {} was not supplied", quoted(folder)),
+            at: "`initial.from`".into(),
+            advice: "`ancf run`, `ancf.run` of Python, or `Simulation::run_from` of Rust, which start from given states".into(),
+        }
+    }
+
     /// Combines the message of the iteration with the cause, if a cause was found.
     fn new(
         error: &SolveError,

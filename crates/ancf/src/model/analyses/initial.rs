@@ -11,6 +11,10 @@ use crate::units::Scaled;
 pub struct Initial {
     /// Origin of the state. The initial velocities of the bodies are added to it.
     pub from: Origin,
+    /// Time of a state in the results folder, time; the last one by default.
+    #[unit(time)]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub time: Option<f64>,
     /// Search for the equilibrium.
     pub statics: InitialStatics,
 }
@@ -31,6 +35,9 @@ pub enum Origin {
     Undeformed,
     /// Equilibrium under all loads and drives with their values at t = 0.
     Equilibrium,
+    /// Results folder of another run of the same structure: its last state, or the state at `time`.
+    #[serde(untagged)]
+    Folder(String),
 }
 
 /// Settings of the search for the equilibrium at the start. The load factor increases from 0 to 1.

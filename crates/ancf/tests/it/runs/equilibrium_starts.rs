@@ -268,7 +268,7 @@ fn turned_models_have_turned_motions() {
     }
 }
 
-/// An equilibrium beyond the critical load is unstable, which is a warning; `unstable = "stop"` refuses it.
+/// An equilibrium beyond the critical load is unstable, which is a warning; `unstable = "stop"` rejects it.
 #[test]
 fn unstable_equilibria_are_reported() {
     let mut model = column(&from_equilibrium(0.1, "0.01", "{ spectral_radius = 0.8 }"));

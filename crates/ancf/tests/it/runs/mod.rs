@@ -4,6 +4,7 @@ mod checkpoints;
 mod equilibrium_starts;
 mod extensions;
 mod failures;
+mod given_states;
 mod observers;
 mod recorder;
 mod turns;

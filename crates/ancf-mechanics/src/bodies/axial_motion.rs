@@ -7,8 +7,8 @@ use crate::kinematics::VectorKind;
 impl BeamMesh {
     /// Returns the derivatives of all nodal vectors along the axis, in the order of the coordinates.
     ///
-    /// They are the rates of a motion of the material along the axis, without change of its shape. Directors have slopes that jump
-    /// at nodes: their derivatives are the means of both elements.
+    /// They are the rates of a motion of the material along the axis, without change of its shape. The slopes of directors jump at
+    /// nodes: their derivatives are the means of both elements.
     pub fn axial_derivatives(&self, s: &State) -> Vec<Vector3<f64>> {
         let (kinds, count) = (self.node_kinds(), self.weights(0.0).len());
         let vectors: Vec<Vector3<f64>> = self.vectors(s).map(|vector| vector.value).collect();
@@ -30,7 +30,24 @@ impl BeamMesh {
                 derivative.1 += 1.0;
             }
         }
-        derivatives.into_iter().map(|(sum, elements)| sum / elements).collect()
+        let mut derivatives: Vec<_> = derivatives.into_iter().map(|(sum, elements)| sum / elements).collect();
+        self.extrapolate_to_ends(&mut derivatives);
+        derivatives
+    }
+
+    /// Extrapolates the derivatives of linear directors, which are those of the middle of an element, to the ends of the axis.
+    fn extrapolate_to_ends(&self, derivatives: &mut [Vector3<f64>]) {
+        let (kinds, count) = (self.node_kinds(), derivatives.len());
+        let node = kinds.len();
+        if self.count() == 1 || self.stride() != node {
+            return;
+        }
+        let is_linear = |(_, kind): &(usize, &VectorKind)| matches!(kind, VectorKind::Y | VectorKind::Z);
+        for (i, _) in kinds.iter().enumerate().filter(is_linear) {
+            for (end, next) in [(i, node + i), (count - node + i, count - 2 * node + i)] {
+                derivatives[end] = derivatives[end] * 2.0 - derivatives[next];
+            }
+        }
     }
 
     /// Returns r_x, r_y and r_z of an element with some vectors at ξ.

@@ -51,7 +51,7 @@ pub fn given_state(model: &Model, base: &Path) -> Result<Option<GivenState>, Mod
         (Some(time), Some(duration)) if (stored.value - time).abs() > TIME_TOLERANCE * duration => {
             let error = ModelError::new("initial.time", short(time), "the time of a stored state");
             let hint = format!(
-                "the nearest one of {source} is at t = {}; `output.states` stores more",
+                "the nearest one of {source} is at t = {}; a larger `output.states` of that run stores more",
                 stored.value
             );
             return Err(ModelErrors(vec![error.hint(hint)]));

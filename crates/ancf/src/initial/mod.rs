@@ -3,6 +3,7 @@
 mod equilibrium_search;
 mod given_state;
 mod initial_state;
+mod origin;
 mod report;
 mod start_state;
 mod turn_counter;

@@ -1,6 +1,6 @@
 use serde::{Deserialize, Serialize};
 
-use crate::errors::{percentage, short};
+use crate::errors::short;
 
 /// Report of the state from which a motion starts.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -47,10 +47,10 @@ impl InitialReport {
                 )
             }
             Self::Given { source, moved, corrected } => format!(
-                "{source}, positions moved by up to {} and velocities changed by {} of the kinetic energy to satisfy the \
+                "{source}, positions moved by up to {} and velocities changed by {} % of the kinetic energy to satisfy the \
                  constraints",
                 short(*moved),
-                percentage(*corrected)
+                short(100.0 * corrected)
             ),
         }
     }

@@ -247,8 +247,8 @@ fn axial_motion_of_a_straight_rod_is_a_translation() {
     }
 }
 
-/// The motion of a circular arc along its axis is the rotation about its centre. The difference decreases with the length of the
-/// elements.
+/// The motion of a circular arc along its axis is the rotation about its centre. The difference is of second order in the length of
+/// the elements.
 #[test]
 fn axial_motion_of_an_arc_is_a_rotation() {
     let (radius, spin) = (0.5, 3.0);
@@ -271,6 +271,6 @@ fn axial_motion_of_an_arc_is_a_rotation() {
             a.v.iter().zip(&b.v).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max) / largest
         };
         let [coarse, fine] = [6, 24].map(difference);
-        assert!(coarse < 0.05 && fine < coarse / 3.5, "{formulation:?}: {coarse:e} {fine:e}");
+        assert!(coarse < 0.05 && fine < coarse / 8.0, "{formulation:?}: {coarse:e} {fine:e}");
     }
 }

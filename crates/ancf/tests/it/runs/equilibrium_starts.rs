@@ -188,7 +188,7 @@ fn drives_and_loads_have_their_values_at_the_start() {
     let load = ", time = { kind = \"expression\", text = \"1 + 5*t\" }";
     let motion = Run::of(&arm(drive, load, &from_equilibrium(0.1, "0.01", "{ spectral_radius = 0.8 }")));
     let statics = Run::of(&arm(
-        "",
+        ", time = 1",
         "",
         "analysis = { kind = \"statics\", stop = { rule = \"energy\", tolerance = 1e-12 } }\n",
     ));

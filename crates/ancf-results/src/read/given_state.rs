@@ -39,14 +39,21 @@ pub fn given_state(model: &Model, base: &Path) -> Result<Option<GivenState>, Mod
             error.hint("`output.states` of that run is the number of stored states"),
         ]));
     };
+    let place = place(model.initial.time, &stored, duration, &source)?;
+    Ok(Some(results.simulation().given_state(&stored.state, format!("the state of {source} at {place}"))))
+}
+
+/// Checks that a stored state has the stated time, and describes its place in the run.
+fn place(
+    time: Option<f64>,
+    stored: &StoredState,
+    duration: Option<f64>,
+    source: &str,
+) -> Result<String, ModelErrors> {
     let at = short(stored.value);
-    let place = match (model.initial.time, duration) {
+    match (time, duration) {
         (Some(_), None) => {
-            return Err(wrong(
-                "time",
-                "a time for a run without time",
-                "no time: the last equilibrium is the start",
-            ));
+            Err(wrong("time", "a time for a run without time", "no time: the last equilibrium is the start"))
         }
         (Some(time), Some(duration)) if (stored.value - time).abs() > TIME_TOLERANCE * duration => {
             let error = ModelError::new("initial.time", short(time), "the time of a stored state");
@@ -54,12 +61,11 @@ pub fn given_state(model: &Model, base: &Path) -> Result<Option<GivenState>, Mod
                 "the nearest one of {source} is at t = {}; a larger `output.states` of that run stores more",
                 stored.value
             );
-            return Err(ModelErrors(vec![error.hint(hint)]));
+            Err(ModelErrors(vec![error.hint(hint)]))
         }
-        (_, Some(_)) => format!("t = {at}"),
-        (None, None) => format!("load factor {at}"),
-    };
-    Ok(Some(results.simulation().given_state(&stored.state, format!("the state of {source} at {place}"))))
+        (_, Some(_)) => Ok(format!("t = {at}")),
+        (None, None) => Ok(format!("load factor {at}")),
+    }
 }
 
 /// Returns the last stored state, or the one nearest to a time of a motion.
@@ -91,7 +97,7 @@ fn check_units(model: &Model, results: &Results, source: &str) -> Result<(), Mod
 
 fn of_folder(folder: &str, error: &OpenError) -> ModelErrors {
     let found = format!("{folder:?}: {error}");
-    wrong("from", found, "\"undeformed\", \"equilibrium\", or the results folder of a run")
+    wrong("from", found, "\"undeformed\", \"equilibrium\", or a results folder")
 }
 
 fn wrong(key: &str, found: impl Into<String>, expected: impl Into<String>) -> ModelErrors {

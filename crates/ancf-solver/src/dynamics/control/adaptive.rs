@@ -41,7 +41,7 @@ impl ErrorControl {
 /// share of the tolerance: e/h ≤ tolerance × length / duration. The controller aims at a fraction of this share. The
 /// errors of two steps determine the next step size:
 ///
-/// hₙ₊₁ = hₙ (xₙ xₙ₋₁)^(1/bk) (hₙ/hₙ₋₁)^(−1/b),   x = target error / error,  k = 2,  b = 2.
+/// hₙ₊₁ = hₙ (xₙ xₙ₋₁)^(1/bk) (hₙ/hₙ₋₁)^(−1/b),   x = target error / error,  k = 2,  b = 4.
 ///
 /// Each change of the step size disturbs the multipliers and makes a new tangent. The step size is therefore kept while the
 /// factor is within a dead band, and so is the tangent. An old tangent S₀ also filters the error estimate. Iterations with it
@@ -84,11 +84,11 @@ pub struct AdaptiveCheckpoint {
 }
 
 /// Target of the error, relative to its share of the tolerance.
-const TARGET: f64 = 0.4;
+const TARGET: f64 = 0.36;
 /// Exponents 1/bk and 1/b.
-const FILTER: (f64, f64) = (0.25, 0.5);
+const FILTER: (f64, f64) = (0.125, 0.25);
 /// Dead band: factors of the step size that do not change it.
-const KEPT: Range<f64> = 0.865..1.32;
+const KEPT: Range<f64> = 0.93..1.15;
 /// Reduction factor after a failed iteration, and largest reduction after a rejected step.
 const REDUCTION: f64 = 0.25;
 /// Weight of the errors of contacts that change and of functions that vary within a step. They are errors of velocities:
@@ -191,9 +191,9 @@ impl AdaptiveStepper {
         report: &mut StepReport,
     ) -> Result<f64, SolveError> {
         let done = dynamics.attempt(h, end)?;
+        let share = self.control.tolerance * self.control.length * h / self.control.duration;
         let error = self.estimate.error(dynamics, &done, h);
         let mut error = error.inspect_err(|_| dynamics.revert())?;
-        let share = self.control.tolerance * self.control.length * h / self.control.duration;
         self.varied = None;
         if error <= share {
             error += self.hidden_error(dynamics, h).inspect_err(|_| dynamics.revert())?;

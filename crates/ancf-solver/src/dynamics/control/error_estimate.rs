@@ -94,7 +94,7 @@ impl ErrorEstimate {
         (dot(&self.other, &self.product).max(0.0) / self.mass).sqrt()
     }
 
-    /// Estimates the error of the attempted step.
+    /// Estimates the error of the attempted step h.
     pub(crate) fn error<E: EquationsOfMotion>(
         &mut self,
         dynamics: &mut TimeStepper<'_, E>,

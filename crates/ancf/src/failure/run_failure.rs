@@ -16,7 +16,7 @@ pub(crate) enum RunFailure {
     /// Description of unsupported motions.
     Mechanism(String),
     /// Failed search for the equilibrium from which a motion starts.
-    Start(Box<RunFailure>),
+    Start(Box<Self>),
     /// Results folder whose state the program did not supply.
     NoState(String),
 }

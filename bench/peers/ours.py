@@ -68,7 +68,7 @@ scheme = {scheme}
 stop = {{ rule = "energy", tolerance = {tolerance} }}
 
 [output]
-csv = false
+parquet = false
 interval = {INTERVAL}
 """
 

@@ -21,6 +21,9 @@ from problems import (  # noqa: E402
     Run,
 )
 
+# Standard output is that of the tables.
+exu.config.printToConsole = False
+
 # Tolerances of Newton's method, of the residual, relative and absolute. The default of the former, 1e-8, is below
 # the rounding error of a rod as stiff as this one from ten elements on: it then costs many times the steps, or
 # the run.

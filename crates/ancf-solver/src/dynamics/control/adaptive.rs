@@ -88,7 +88,7 @@ const TARGET: f64 = 0.4;
 /// Exponents 1/bk and 1/b.
 const FILTER: (f64, f64) = (0.25, 0.5);
 /// Dead band: factors of the step size that do not change it.
-const KEPT: Range<f64> = 0.865..1.32;
+const KEPT: Range<f64> = 0.92..1.32;
 /// Reduction factor after a failed iteration, and largest reduction after a rejected step.
 const REDUCTION: f64 = 0.25;
 /// Weight of the errors of contacts that change and of functions that vary within a step. They are errors of velocities:

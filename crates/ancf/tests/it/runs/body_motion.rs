@@ -29,7 +29,7 @@ joints = [
   {{ kind = "revolute", name = "hinge", a = {{ body = "arm", at = "start" }}, axis = [0, 1, 0] }},
   {{ kind = "clamp", name = "neck", a = {{ body = "head", at = [2, 0, 0] }}, b = {{ body = "arm", at = "end" }} }},
   {{ kind = "spherical", name = "knot", a = {{ body = "tail", at = "start" }}, b = {{ body = "arm", at = "end" }} }},
-  {{ kind = "spherical", name = "tip", a = {{ body = "bob" }}, b = {{ body = "tail", at = "end" }} }},
+  {{ kind = "spherical", name = "tip", a = {{ body = "bob", at = "center" }}, b = {{ body = "tail", at = "end" }} }},
 ]
 analysis = {{ kind = "dynamics", duration = 0.2, step = 1e-3, scheme = {{ spectral_radius = 1 }} }}
 output = {{ momentum = true }}

@@ -160,11 +160,7 @@ struct InertiaTerm {
 
 impl InertiaTerm {
     fn new(body: &RigidBody) -> Self {
-        let mut mass = Matrix4::zeros();
-        mass[(0, 0)] = body.mass;
-        if let Some(euler) = &body.euler {
-            mass.fixed_view_mut::<3, 3>(1, 1).copy_from(euler);
-        }
+        let mass = Matrix4::from_fn(|a, b| body.mass_entry(a, b));
         let coordinates = (body.first..body.first + body.coordinates()).collect();
         Self { coordinates, mass, weight: body.gravity * body.mass }
     }

@@ -91,6 +91,7 @@ mod results;
 mod scaling;
 pub mod schema;
 mod simulate;
+mod stepping;
 pub mod units;
 
 pub use ancf_mechanics as mechanics;
@@ -105,4 +106,5 @@ pub use simulate::{
     Checkpoint, EigenvalueCount, Error, Extension, Observer, Outcome, ResumeError, Simulation,
     SimulationBuilder, Summary, simulate,
 };
+pub use stepping::{BodyLayout, CompleteState, InputUse, Projection, StepError, Stepper};
 pub use units::Scales;

@@ -5,6 +5,7 @@ use std::io;
 use std::ops::ControlFlow;
 use std::time::Instant;
 
+use ancf::errors::short;
 use ancf::estimate::Resolution;
 use ancf::record::Sink;
 use ancf::solver::equations::State;
@@ -59,6 +60,9 @@ pub fn record(
     let redundant = summary.redundant.iter().map(|one| format!("redundant: {one}"));
     // Warnings are printed even with `--quiet`.
     redundant.chain(summary.warnings.iter().cloned()).for_each(|one| print_error(&format!("warning: {one}")));
+    for (name, value) in &summary.inputs {
+        print_status(&format!("input `{name}`: {} throughout, as declared", short(*value)));
+    }
     summary.initial.iter().for_each(|initial| print_status(&format!("start: {}", initial.sentence())));
     print(&values.table());
     let (sentence, columns) = (values.sentence(&summary, seconds, &folder), values.columns());

@@ -4,6 +4,7 @@ use std::sync::Arc;
 use super::expression::Expression;
 use super::external_function::ExternalFunction;
 use super::function_value::FunctionValue;
+use super::input_signal::InputSignal;
 use super::time_table::TimeTable;
 
 /// Dimensionless function f of time t.
@@ -51,6 +52,8 @@ pub enum Function {
         /// Argument t of the function at time 1.
         unit: f64,
     },
+    /// Input that a program sets between steps.
+    Input(InputSignal),
     /// Integral of another function from 0; unit of time.
     Integral(Arc<Integral>),
 }
@@ -89,6 +92,7 @@ impl Function {
                 let (sin, cos) = (omega * t + phase).sin_cos();
                 FunctionValue { value: sin, rate: omega * cos, acceleration: -omega * omega * sin }
             }
+            Self::Input(input) => input.at(t),
             Self::Integral(integral) => integral.at(t),
             Self::Expression { formula, unit } => formula.at(t * unit).with_scaled_rates(*unit),
             Self::External { function, unit } => function.at(t * unit).with_scaled_rates(*unit),
@@ -96,12 +100,14 @@ impl Function {
     }
 
     /// Returns the times at which the value or its rate jumps. Jumps of formulas and user-defined functions are
-    /// unknown.
+    /// unknown, those of inputs depend on the program.
     pub fn breaks(&self) -> Vec<f64> {
         match self {
-            Self::Constant(_) | Self::Sine { .. } | Self::Expression { .. } | Self::External { .. } => {
-                Vec::new()
-            }
+            Self::Constant(_)
+            | Self::Sine { .. }
+            | Self::Expression { .. }
+            | Self::External { .. }
+            | Self::Input(_) => Vec::new(),
             Self::Table(table) => table.breaks(),
             Self::Integral(integral) => integral.breaks(),
             Self::Ramp { start, end } => vec![*start, *end],
@@ -176,6 +182,7 @@ impl Integral {
                 let part = if half == 0.0 { 1.0 } else { half.sin() / half };
                 t * part * (half + phase).sin()
             }
+            Function::Input(input) => input.transition().integral(t),
             Function::Expression { .. } | Function::External { .. } | Function::Integral(_) => 0.0,
         }
     }

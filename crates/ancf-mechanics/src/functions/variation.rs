@@ -73,7 +73,9 @@ impl Function {
         match self {
             Self::Sine { .. } | Self::Expression { .. } | Self::External { .. } => true,
             Self::Integral(integral) => integral.integrand().may_vary_unseen(),
-            Self::Constant(_) | Self::Table(_) | Self::Ramp { .. } | Self::Step { .. } => false,
+            Self::Constant(_) | Self::Table(_) | Self::Ramp { .. } | Self::Step { .. } | Self::Input(_) => {
+                false
+            }
         }
     }
 
@@ -186,9 +188,11 @@ impl Function {
                 let FunctionBounds { value, rate, .. } = integral.integrand().bounds(a, b);
                 FunctionBounds { value: Interval::ENTIRE, rate: value, acceleration: rate }
             }
-            Self::Table(_) | Self::Ramp { .. } | Self::Step { .. } | Self::External { .. } => {
-                FunctionBounds::jump(Interval::ENTIRE)
-            }
+            Self::Table(_)
+            | Self::Ramp { .. }
+            | Self::Step { .. }
+            | Self::External { .. }
+            | Self::Input(_) => FunctionBounds::jump(Interval::ENTIRE),
         }
     }
 }

@@ -104,6 +104,7 @@ impl PaperCase {
             joints: vec![joint],
             couplings: Vec::new(),
             loads: Vec::new(),
+            inputs: Vec::new(),
             contacts: Vec::new(),
             initial: Initial::default(),
             scales,

@@ -6,6 +6,7 @@ mod energy_guard;
 mod energy_momentum;
 mod errors;
 mod first_step;
+mod given_state;
 mod initial_conditions;
 mod integration_state;
 mod predictor;

@@ -40,6 +40,16 @@ impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
     pub fn new(
         eom: &'a E,
         scheme: SchemeCoefficients,
+        newton: Newton,
+        max_halvings: u32,
+        start: State,
+    ) -> Self {
+        Self::with_equations(ActiveSet::new(eom), scheme, newton, max_halvings, start)
+    }
+
+    pub(crate) fn with_equations(
+        eom: ActiveSet<'a, E>,
+        scheme: SchemeCoefficients,
         mut newton: Newton,
         max_halvings: u32,
         start: State,
@@ -50,7 +60,6 @@ impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
         }
         let auxiliary = start.a.clone();
         Self {
-            eom: ActiveSet::new(eom),
             scheme,
             newton,
             max_halvings,
@@ -63,7 +72,8 @@ impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
             damping: DampingAttempt::new(start.q.len(), start.lambda.len()),
             energies: EnergyAttempt::default(),
             guard: EnergyGuard::default(),
-            motion: IntegrationState::new(start, eom),
+            motion: IntegrationState::new(start, &*eom),
+            eom,
         }
     }
 

@@ -12,6 +12,9 @@ use super::thread_parts::{ThreadParts, enclosing_range};
 use crate::sparse::{ConstraintRow, Pattern, SparseMatrix};
 
 /// Equations of motion as a sum of terms: gather, evaluate, scatter.
+///
+/// Clones share terms and pattern.
+#[derive(Clone)]
 pub struct System {
     pub(super) coordinates: usize,
     pub(super) multipliers: usize,

@@ -5,12 +5,14 @@ use std::ops::{AddAssign, Range};
 /// Each part adds to its own section of a vector. Items that add to more than one section follow after all parts. The
 /// partition depends on the items only, not on the threads, and each entry is summed in a fixed order. Results are
 /// therefore identical to the last digit for any number of threads. A small number of items forms a single part.
+#[derive(Clone)]
 pub(crate) struct ThreadParts {
     parts: Vec<ThreadPart>,
     spanning: Vec<u32>,
 }
 
 /// Section of the vector, up to the next part, and the items that add to this section only.
+#[derive(Clone)]
 struct ThreadPart {
     first: usize,
     items: Vec<u32>,

@@ -6,6 +6,7 @@ mod contacts;
 mod display;
 mod findings;
 mod friction;
+mod inputs;
 mod joints;
 mod loads;
 mod memory;

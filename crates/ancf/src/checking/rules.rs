@@ -36,7 +36,12 @@ pub(crate) fn broken_rules(model: &Model) -> Vec<Finding> {
         scales,
         initial,
     ];
-    let of_times = [super::time_functions::functions, super::time_functions::ground_points, capabilities];
+    let of_times = [
+        super::time_functions::functions,
+        super::time_functions::ground_points,
+        super::inputs::inputs,
+        capabilities,
+    ];
     let of_loads = [
         contacts,
         super::contacts::surfaces,
@@ -71,7 +76,7 @@ fn columns(model: &IndexedModel<'_>) -> Vec<Finding> {
     rule_of_names(joints.chain(probes).chain(couplings).collect())
 }
 
-fn rule_of_names(names: Vec<(String, &str)>) -> Vec<Finding> {
+pub(super) fn rule_of_names(names: Vec<(String, &str)>) -> Vec<Finding> {
     let unfit =
         |name: &str| name.trim() != name || name.contains(|c: char| c.is_control() || ",.'\"".contains(c));
     let spaced = names.iter().filter(|(_, name)| unfit(name)).map(|(path, name)| {

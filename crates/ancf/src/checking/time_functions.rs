@@ -33,7 +33,7 @@ fn rule_of_function(path: &str, time: &TimeFunction) -> Option<Finding> {
             let expected = format!("a time after `at`, {}", number(*at));
             finding(key("until"), number(*until), expected).rests_on([key("at")])
         }),
-        Varying::Step { until: None, .. } | Varying::Sine { .. } => None,
+        Varying::Step { until: None, .. } | Varying::Sine { .. } | Varying::Input { .. } => None,
         Varying::Expression { text, .. } => rule_of_formula(key("text"), text, time),
         Varying::External { .. } => {
             let value = time.compile().ok()?.value(0.0);

@@ -116,6 +116,20 @@ impl GivenState {
     }
 }
 
+/// User's units of the coordinates of an assembly: lengths, magnitudes of reference directions, and those of joints.
+pub(crate) fn coordinate_units(assembly: &Assembly, scales: Scales) -> Vec<f64> {
+    let rest = assembly.rest();
+    let mut units = vec![1.0; rest.q.len()];
+    for vector in assembly.bodies().flat_map(|(_, body)| body.vectors(&rest)) {
+        let unit = if vector.is_position() { scales.length } else { vector.value.norm().recip() };
+        units[vector.first..vector.first + 3].fill(unit);
+    }
+    for c in assembly.joints.iter().flat_map(|joint| joint.coordinates.clone()) {
+        units[c] = unit_of_coordinate(assembly, c, scales);
+    }
+    units
+}
+
 /// User's unit of a coordinate of a joint: a length of displacements, otherwise 1.
 fn unit_of_coordinate(assembly: &Assembly, c: usize, scales: Scales) -> f64 {
     let recorded = assembly.joint_coordinates().find(|(_, recorded)| recorded.coordinate == Some(c));

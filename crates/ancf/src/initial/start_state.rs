@@ -73,7 +73,7 @@ impl StartState {
 const FOR_POSITIONS: &str = "a state of a run with the same joints, and drives with the same values at t = 0";
 
 /// Largest displacement of nodes and centres between two states.
-fn displacement(assembly: &Assembly, from: &State, to: &State) -> f64 {
+pub(crate) fn displacement(assembly: &Assembly, from: &State, to: &State) -> f64 {
     let pairs = assembly.bodies().flat_map(|(_, body)| body.vectors(from).into_iter().zip(body.vectors(to)));
     let moved = pairs.filter(|(vector, _)| vector.is_position()).map(|(a, b)| (b.value - a.value).norm());
     moved.fold(0.0, f64::max)

@@ -24,7 +24,7 @@ pub use bodies::{
     Place, PointMass, Rigid, Shape, Slopes,
 };
 pub use contacts::{Contact, ContactSurface, Cylinder, ObstacleKind, Plane, Sphere};
-pub use functions::{TimeFunction, Varying};
+pub use functions::{Input, TimeFunction, Varying};
 pub use sections::{
     Circle, CustomSection, Damping, Ellipse, GeneralSection, Material, MaterialLaw, OutlineCurve, Rectangle,
     Section, SectionObject, SectionOutline, SectionShape, Tube,
@@ -87,6 +87,9 @@ pub struct Model {
     /// Loads in addition to gravity.
     #[serde(default, skip_serializing_if = "Vec::is_empty", serialize_with = "stated_loads")]
     pub loads: Vec<Load>,
+    /// Inputs, which a program sets between time steps.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub inputs: Vec<Input>,
     /// True to close gaps of joints before the analysis; false by default. Otherwise gaps are errors.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub assemble: bool,

@@ -1,6 +1,9 @@
 //! Queries on a model: derived quantities, and components with the paths of their keys.
 
+use std::borrow::Cow;
+
 use ancf_mechanics::contact::ObstacleShape;
+use ancf_mechanics::functions::InputSignal;
 
 use crate::joints::Joint;
 use crate::loads::Load;
@@ -76,6 +79,29 @@ impl Model {
             _ => false,
         };
         self.time_functions().iter().any(|(_, time)| is_meant(time))
+    }
+
+    /// Creates a signal for each input and connects the functions of time with it. Returns the signals in the order of the inputs.
+    pub(crate) fn connect_inputs(&mut self) -> Vec<InputSignal> {
+        let signals: Vec<_> = self.inputs.iter().map(|input| InputSignal::new(input.value)).collect();
+        let names: Vec<String> = self.inputs.iter().map(|input| input.name.clone()).collect();
+        for time in self.time_functions_mut() {
+            if let TimeFunction::Varying(Varying::Input { name, signal }) = time {
+                let number = names.iter().position(|own| own == name);
+                *signal = number.map(|number| signals[number].clone());
+            }
+        }
+        signals
+    }
+
+    /// Model with signals of its inputs, as [`connect_inputs`](Self::connect_inputs) connects them.
+    pub(crate) fn with_signals(&self) -> Cow<'_, Self> {
+        if self.inputs.is_empty() {
+            return Cow::Borrowed(self);
+        }
+        let mut connected = self.clone();
+        connected.connect_inputs();
+        Cow::Owned(connected)
     }
 
     /// Functions of time with their paths.

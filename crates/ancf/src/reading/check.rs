@@ -36,10 +36,14 @@ impl Model {
         // The data lack added joints and loads and supplied functions, so the rules are checked on the model itself.
         let findings = if self.is_extended() {
             let (check, _) = SchemaCheck::of(&SCHEMA, &data);
-            if check.findings.is_empty() { rules(self) } else { check.findings }
+            if check.findings.is_empty() { rules(&self.with_signals()) } else { check.findings }
         } else {
             let (_, findings) = check_data_by(data, rules);
-            if findings.is_empty() && self.has_external_functions(true) { rules(self) } else { findings }
+            if findings.is_empty() && self.has_external_functions(true) {
+                rules(&self.with_signals())
+            } else {
+                findings
+            }
         };
         if findings.is_empty() { Ok(()) } else { Err(ModelErrors(errors(findings))) }
     }
@@ -92,12 +96,12 @@ impl Model {
     fn valid_assembly(&self, time_mode: TimeMode) -> Result<Assembly, ModelErrors> {
         self.check()?;
         self.check_supplies()?;
-        IndexedModel::new(self).assembled(time_mode)
+        IndexedModel::new(&self.with_signals()).assembled(time_mode)
     }
 
     /// Assembles the equations of the analysis. The model is a valid model in other units.
     ///
-    /// Values are checked again, because they may overflow. Contradictions of joints do not depend on units.
+    /// Its inputs are connected with signals. Values are checked again, because they may overflow. Contradictions of joints do not depend on units.
     pub(crate) fn assemble_scaled(&self) -> Result<Assembly, ModelErrors> {
         self.check_by(broken_rules)?;
         self.check_supplies()?;
@@ -128,7 +132,10 @@ fn check_data_by(data: Value, rules: Rules) -> (Option<Model>, Vec<Finding>) {
     let (mut check, corrected) = SchemaCheck::of(&SCHEMA, &data);
     drop(data);
     let mut findings = std::mem::take(&mut check.findings);
-    let model = Model::deserialize(corrected);
+    let mut model = Model::deserialize(corrected);
+    if let Ok(model) = &mut model {
+        model.connect_inputs();
+    }
     let is_valid = findings.is_empty();
     // Contradictions of joints depend on a valid model.
     let violations = model.as_ref().map(if is_valid { rules } else { broken_rules }).unwrap_or_default();

@@ -218,6 +218,11 @@ impl Rows {
         &self.row
     }
 
+    /// Last row.
+    pub(crate) fn last(&self) -> &[f64] {
+        &self.row
+    }
+
     /// Sets the errors of the next row by the columns of their values, in the order of the columns. Errors that are not given are
     /// not known.
     pub(crate) fn set_errors<'a>(&mut self, errors: impl IntoIterator<Item = (&'a str, f64)>) {

@@ -42,7 +42,7 @@ pub struct Checkpoint {
 
 /// Step and iteration counts of the [`Summary`].
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]
-struct StepCounts {
+pub(crate) struct StepCounts {
     steps: u64,
     divided_steps: u64,
     rejected_steps: u64,
@@ -182,7 +182,7 @@ impl Checkpoint {
 }
 
 impl StepCounts {
-    fn of(summary: &Summary) -> Self {
+    pub(crate) fn of(summary: &Summary) -> Self {
         Self {
             steps: summary.steps,
             divided_steps: summary.divided_steps,
@@ -193,7 +193,7 @@ impl StepCounts {
         }
     }
 
-    fn copy_to(self, summary: &mut Summary) {
+    pub(crate) fn copy_to(self, summary: &mut Summary) {
         summary.steps = self.steps;
         summary.divided_steps = self.divided_steps;
         summary.rejected_steps = self.rejected_steps;
@@ -207,7 +207,7 @@ impl StepCounts {
 ///
 /// Source: Fowler, Noll & Vo, FNV-1a of 64 bits.
 pub(crate) fn fingerprint(simulation: &Simulation) -> u64 {
-    let mut hash = Fnv1a(0xcbf2_9ce4_8422_2325);
+    let mut hash = Fnv1a(FNV_START);
     // Cannot fail: the model is plain data, and writing to the hash has no errors.
     let _ = serde_json::to_writer(&mut hash, &(&simulation.scaled, &simulation.scales()));
     if simulation.scaled.is_extended() {
@@ -217,6 +217,15 @@ pub(crate) fn fingerprint(simulation: &Simulation) -> u64 {
     }
     hash.0
 }
+
+/// Hash of bytes, to detect damage.
+pub(crate) fn hash_of(bytes: &[u8]) -> u64 {
+    let mut hash = Fnv1a(FNV_START);
+    let _ = hash.write_all(bytes);
+    hash.0
+}
+
+const FNV_START: u64 = 0xcbf2_9ce4_8422_2325;
 
 struct Fnv1a(u64);
 

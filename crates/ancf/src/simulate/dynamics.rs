@@ -2,8 +2,8 @@ use std::cell::OnceCell;
 use std::io;
 use std::ops::ControlFlow;
 
-use ancf_solver::dynamics::StepReport;
-use ancf_solver::equations::State;
+use ancf_solver::dynamics::{StepReport, TimeStepper};
+use ancf_solver::equations::{State, System};
 use ancf_solver::newton::SolveError;
 
 use super::checkpoint::{Checkpoint, ResumeError, fingerprint};
@@ -83,6 +83,36 @@ fn rows(simulation: &Simulation) -> Rows {
     Rows::new(&simulation.assembly, simulation.scales(), TIME, &COLUMNS)
 }
 
+/// Warnings if steps made energy, also at a start from rest, or if the scheme has lost a large part of the exchanged energy.
+pub(crate) fn energy_warnings(own: &Dynamics, dynamics: &TimeStepper<'_, System>) -> Vec<String> {
+    let mut warnings = Vec::new();
+    let (guard, is_fixed) = (&own.energy_guard, own.step.fixed().is_some());
+    let (record, rounding) = dynamics.energy_record();
+    let (lost, created, reference) = (record.lost(), record.created(), record.reference());
+    if record.refused() > 0 && is_fixed {
+        warnings.push(format!(
+            "{} steps made energy (column `balance`) and were halved: the energy may be wrong by the permitted share \
+             `energy_guard.gain`; use smaller steps or a smaller `spectral_radius`",
+            record.refused()
+        ));
+    }
+    if created > guard.gain * reference + rounding {
+        warnings.push(format!(
+            "the steps do not resolve the motion: the integration has made {:.2} % of the exchanged energy (column `balance`); use \
+             smaller steps; `energy_guard = {{ gain = 1 }}` accepts the gain",
+            100.0 * created / reference
+        ));
+    }
+    if lost > guard.loss * reference {
+        warnings.push(format!(
+            "the numerical damping of the scheme has removed {:.2} % of the exchanged energy (column `balance`): use smaller steps, \
+             a scheme of second order, or a larger `spectral_radius`; `energy_guard = {{ loss = 1 }}` accepts the loss",
+            100.0 * lost / reference
+        ));
+    }
+    warnings
+}
+
 impl<'a> AnalysisRun<'a> {
     /// Runs a dynamic analysis.
     pub(crate) fn dynamics(
@@ -144,7 +174,9 @@ impl<'a> AnalysisRun<'a> {
         self.warn_of_ambiguous_turns(&motion.rows, "t", self.summary.scales.time);
         self.summary.warnings.extend(motion.rotations.warning(self.assembly, self.summary.scales));
         self.summary.warnings.extend(motion.alternations.warning(self.summary.scales));
-        self.warn_of_energy(&motion);
+        if let Some(own) = motion.simulation.scaled.analysis.dynamics() {
+            self.summary.warnings.extend(energy_warnings(own, motion.control.dynamics()));
+        }
         self.summary.motion_errors = motion.estimate.map(|estimate| estimate.errors().clone());
         Ok(result)
     }
@@ -183,35 +215,6 @@ impl<'a> AnalysisRun<'a> {
                     return Ok(Err(RunFailure::Solve(error, cause)));
                 }
             }
-        }
-    }
-
-    /// Adds warnings if steps made energy, also at a start from rest, or if the scheme has lost a large part of the exchanged energy.
-    fn warn_of_energy(&mut self, motion: &DynamicRun<'_>) {
-        let Some(own) = motion.simulation.scaled.analysis.dynamics() else { return };
-        let (guard, is_fixed) = (&own.energy_guard, own.step.fixed().is_some());
-        let (record, rounding) = motion.control.dynamics().energy_record();
-        let (lost, created, reference) = (record.lost(), record.created(), record.reference());
-        if record.refused() > 0 && is_fixed {
-            self.summary.warnings.push(format!(
-                "{} steps made energy (column `balance`) and were halved: the energy may be wrong by the permitted share \
-                 `energy_guard.gain`; use smaller steps or a smaller `spectral_radius`",
-                record.refused()
-            ));
-        }
-        if created > guard.gain * reference + rounding {
-            self.summary.warnings.push(format!(
-                "the steps do not resolve the motion: the integration has made {:.2} % of the exchanged energy (column `balance`); use \
-                 smaller steps; `energy_guard = {{ gain = 1 }}` accepts the gain",
-                100.0 * created / reference
-            ));
-        }
-        if lost > guard.loss * reference {
-            self.summary.warnings.push(format!(
-                "the numerical damping of the scheme has removed {:.2} % of the exchanged energy (column `balance`): use smaller steps, \
-                 a scheme of second order, or a larger `spectral_radius`; `energy_guard = {{ loss = 1 }}` accepts the loss",
-                100.0 * lost / reference
-            ));
         }
     }
 

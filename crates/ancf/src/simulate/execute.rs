@@ -86,6 +86,7 @@ impl Simulation {
         let Self { chosen, assembly, interrupt, .. } = self;
         let mut summary = Summary::new(assembly, chosen.clone());
         summary.warnings = self.warnings.clone();
+        summary.inputs = self.scaled.inputs.iter().map(|input| (input.name.clone(), input.value)).collect();
         let (monitor, stability) = (StabilityMonitor::new(&self.scaled), EquilibriumStability::default());
         AnalysisRun { summary, assembly, interrupt, observer, monitor, stability }
     }

@@ -14,8 +14,12 @@ mod step_control;
 mod summary;
 
 pub use checkpoint::{Checkpoint, ResumeError};
+pub(crate) use checkpoint::{StepCounts, fingerprint, hash_of};
+pub(crate) use dynamics::{COLUMNS, energy_warnings};
 pub use error::Error;
 pub use execute::simulate;
 pub use observer::Observer;
+pub(crate) use outcome::outcome;
 pub use simulation::{Extension, Simulation, SimulationBuilder};
+pub(crate) use step_control::{SMALL_REMAINDER, TIME_TOLERANCE, error_control, newton_method, started};
 pub use summary::{EigenvalueCount, Outcome, Summary};

@@ -1,3 +1,4 @@
+use ancf_mechanics::functions::InputSignal;
 use ancf_solver::equations::State;
 use ancf_solver::newton::Interrupt;
 
@@ -16,6 +17,8 @@ pub struct Simulation {
     pub(crate) scaled: Model,
     pub(crate) chosen: ChosenScales,
     pub(crate) assembly: Assembly,
+    /// Signals of the inputs, in the order of the model.
+    pub(crate) inputs: Vec<InputSignal>,
     pub(crate) interrupt: Interrupt,
     /// Warnings that follow from the model.
     pub(crate) warnings: Vec<String>,
@@ -29,14 +32,15 @@ impl Simulation {
     pub fn new(model: &Model) -> Result<Self, ModelErrors> {
         model.check()?;
         let chosen = model.scales();
-        let scaled = model.scaled(&chosen.scales);
+        let mut scaled = model.scaled(&chosen.scales);
+        let inputs = scaled.connect_inputs();
         let assembly = scaled.assemble_scaled()?;
         let repeated = repeated_columns(&assembly);
         if !repeated.is_empty() {
             return Err(ModelErrors(repeated));
         }
         let (interrupt, warnings) = (Interrupt::default(), model_warnings(model));
-        Ok(Self { scaled, chosen, assembly, interrupt, warnings })
+        Ok(Self { scaled, chosen, assembly, inputs, interrupt, warnings })
     }
 
     /// Sets the interrupt flag that stops a run. Its outcome is then [`Outcome::Stopped`](crate::Outcome::Stopped).

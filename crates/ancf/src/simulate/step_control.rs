@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::assembly::Assembly;
 use crate::estimate::{coordinate_sizes, has_mesh};
-use crate::model::{Model, NewtonMethod, Start, Step};
+use crate::model::{Dynamics, Model, NewtonMethod, Start, Step};
 
 /// Step control of a dynamic analysis: step sizes, output times and load jumps.
 pub(crate) struct StepControl<'a> {
@@ -37,52 +37,79 @@ enum StepSize {
 }
 
 /// Tolerance of times, relative to the step.
-const TIME_TOLERANCE: f64 = 1e-9;
+pub(crate) const TIME_TOLERANCE: f64 = 1e-9;
 
 /// Remainder of a duration, relative to the step, below which the last step is longer instead of a further step that is much
 /// shorter. Accelerations have rounding errors of ε x/h² in a step h.
-const SMALL_REMAINDER: f64 = 0.01;
+pub(crate) const SMALL_REMAINDER: f64 = 0.01;
+
+/// Newton's method of an analysis.
+pub(crate) fn newton_method(
+    assembly: &Assembly,
+    settings: &Dynamics,
+    interrupt: Interrupt,
+) -> Result<Newton, SolveError> {
+    let newton = Newton::new(assembly.system.matrix(), settings.stop.into(), settings.max_iterations)?;
+    let newton = newton.with_interrupt(interrupt);
+    Ok(if settings.newton == NewtonMethod::Full { newton.with_new_tangents() } else { newton })
+}
+
+/// Time integration with consistent initial values.
+pub(crate) fn started<'a>(
+    dynamics: TimeStepper<'a, System>,
+    settings: &Dynamics,
+) -> Result<TimeStepper<'a, System>, SolveError> {
+    let mut dynamics = dynamics.with_energy_guard(EnergyGuard { gain: settings.energy_guard.gain });
+    dynamics.include_near_terms()?;
+    match settings.start {
+        Start::Consistent => dynamics.restart(0.0)?,
+        Start::Zero => dynamics.project_velocities()?,
+    }
+    Ok(dynamics)
+}
+
+/// Error control of an analysis; `None` for steps of a fixed size.
+pub(crate) fn error_control(
+    model: &Model,
+    settings: &Dynamics,
+    assembly: &Assembly,
+    dynamics: &TimeStepper<'_, System>,
+) -> Option<AdaptiveStepper> {
+    let Step::Adaptive { tolerance, initial, largest } = settings.step else { return None };
+    let duration = settings.duration;
+    let control = ErrorControl {
+        tolerance,
+        length: model.length(),
+        mass: model.mass(),
+        duration,
+        initial,
+        largest: largest.unwrap_or(duration),
+        smallest: ErrorControl::SMALLEST * duration,
+    };
+    let functions = assembly.inputs.step_functions(duration);
+    Some(AdaptiveStepper::new(dynamics, control).with_functions(functions))
+}
 
 impl<'a> StepControl<'a> {
     /// Computes consistent initial values of an analysis from its initial state.
     pub(crate) fn new(
         model: &Model,
         start: State,
-        settings: &crate::model::Dynamics,
+        settings: &Dynamics,
         assembly: &'a Assembly,
         interrupt: Interrupt,
     ) -> Result<Self, SolveError> {
         let duration = settings.duration;
-        let newton = Newton::new(assembly.system.matrix(), settings.stop.into(), settings.max_iterations)?;
-        let newton = newton.with_interrupt(interrupt);
-        let newton = if settings.newton == NewtonMethod::Full { newton.with_new_tangents() } else { newton };
+        let newton = newton_method(assembly, settings, interrupt)?;
         let (system, scheme) = (&assembly.system, settings.scheme.numbers());
-        let mut dynamics = TimeStepper::new(system, scheme, newton, settings.max_halvings, start)
-            .with_energy_guard(EnergyGuard { gain: settings.energy_guard.gain });
+        let mut dynamics = TimeStepper::new(system, scheme, newton, settings.max_halvings, start);
         if model.output.errors {
             dynamics = dynamics.with_errors(coordinate_sizes(model, assembly), has_mesh(assembly));
         }
-        dynamics.include_near_terms()?;
-        match settings.start {
-            Start::Consistent => dynamics.restart(0.0)?,
-            Start::Zero => dynamics.project_velocities()?,
-        }
-        let (size, every) = match settings.step {
-            Step::Fixed(step) => (StepSize::Fixed(step), Some(step)),
-            Step::Adaptive { tolerance, initial, largest } => {
-                let control = ErrorControl {
-                    tolerance,
-                    length: model.length(),
-                    mass: model.mass(),
-                    duration,
-                    initial,
-                    largest: largest.unwrap_or(duration),
-                    smallest: ErrorControl::SMALLEST * duration,
-                };
-                let functions = assembly.inputs.step_functions(duration);
-                let stepper = AdaptiveStepper::new(&dynamics, control).with_functions(functions);
-                (StepSize::Adaptive(Box::new(stepper)), None)
-            }
+        let dynamics = started(dynamics, settings)?;
+        let (size, every) = match error_control(model, settings, assembly, &dynamics) {
+            Some(adaptive) => (StepSize::Adaptive(Box::new(adaptive)), None),
+            None => (StepSize::Fixed(settings.step.fixed().unwrap_or(duration)), settings.step.fixed()),
         };
         let time_tolerance = TIME_TOLERANCE * settings.step.fixed().unwrap_or(duration);
         let mut jumps = assembly.breaks().to_vec();

@@ -112,6 +112,9 @@ pub struct Summary {
     /// Meshes of a refinement to a requested error, the last one that of these results.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub meshes: Vec<MeshStep>,
+    /// Names and declared values of the inputs, which are constant in a run.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub inputs: Vec<(String, f64)>,
     /// Warnings, such as loss of stability during the run.
     pub warnings: Vec<String>,
 }
@@ -137,6 +140,7 @@ impl Summary {
             errors: None,
             motion_errors: None,
             meshes: Vec::new(),
+            inputs: Vec::new(),
             warnings: Vec::new(),
         }
     }

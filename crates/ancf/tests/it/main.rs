@@ -20,5 +20,6 @@ mod runs;
 mod sections;
 mod stability;
 mod statics;
+mod stepping;
 mod terms;
 mod verification;

@@ -1,7 +1,7 @@
 use std::sync::Arc;
 
 use ancf_mechanics::functions::{
-    Expression, ExpressionError, ExternalFunction, Function, FunctionValue, TimeTable,
+    Expression, ExpressionError, ExternalFunction, Function, FunctionValue, InputSignal, TimeTable,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -98,6 +98,17 @@ pub enum Varying {
         #[schemars(skip)]
         supplied: Option<ExternalFunction>,
     },
+    /// Input of the model, which a program sets between time steps. Runs use its declared value.
+    Input {
+        /// Name of the input.
+        #[schemars(length(min = 1))]
+        name: String,
+        /// Signal of the input of this name in an assembled model.
+        #[serde(skip)]
+        #[unit(none)]
+        #[schemars(skip)]
+        signal: Option<InputSignal>,
+    },
 }
 
 fn one() -> f64 {
@@ -110,6 +121,19 @@ impl TimeFunction {
         Self::Varying(Varying::External { name: name.into(), unit: 1.0, supplied: None })
     }
 
+    /// Input of the model with a name.
+    pub fn input(name: &str) -> Self {
+        Self::Varying(Varying::Input { name: name.into(), signal: None })
+    }
+
+    /// Name of the input, if the function is one.
+    pub(crate) fn input_name(&self) -> Option<&str> {
+        match self {
+            Self::Varying(Varying::Input { name, .. }) => Some(name),
+            _ => None,
+        }
+    }
+
     /// True if the function has a jump. Jumps of formulas and of supplied functions are not detected.
     pub(crate) fn jumps(&self) -> bool {
         match self {
@@ -119,7 +143,7 @@ impl TimeFunction {
         }
     }
 
-    /// Compiles the function for evaluation. A function that is not yet supplied is replaced by 0.
+    /// Compiles the function for evaluation. A function that is not yet supplied, or an input without a model, is replaced by 0.
     ///
     /// # Errors
     /// If a formula has a syntax error.
@@ -139,6 +163,9 @@ impl TimeFunction {
                 let zero = || ExternalFunction::new(|_| FunctionValue::default());
                 Function::External { function: supplied.clone().unwrap_or_else(zero), unit: *unit }
             }
+            Self::Varying(Varying::Input { signal, .. }) => {
+                signal.clone().map_or(Function::Constant(0.0), Function::Input)
+            }
         })
     }
 }
@@ -152,7 +179,7 @@ pub(crate) enum TimeMode {
     AtStart,
     /// 0, for closing gaps before drives begin.
     Zero,
-    /// 1, for statics, where the load factor varies the loads.
+    /// 1, for statics, where the load factor varies the loads; the declared value of an input.
     One,
 }
 
@@ -164,6 +191,7 @@ impl TimeMode {
             Self::AsGiven => given(),
             Self::AtStart => Function::Constant(given().value(0.0)),
             Self::Zero => Function::Constant(0.0),
+            Self::One if time.input_name().is_some() => Function::Constant(given().value(0.0)),
             Self::One => Function::ONE,
         }
     }

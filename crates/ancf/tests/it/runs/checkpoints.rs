@@ -54,7 +54,7 @@ const EQUILIBRIUM: &str = "[initial]\nfrom = \"equilibrium\"";
 const HALF: &str = "scheme = { spectral_radius = 0.5 }";
 
 /// Short runs with errors and from an equilibrium.
-fn further_runs() -> [(&'static str, Model); 4] {
+pub(crate) fn further_runs() -> [(&'static str, Model); 4] {
     let errors = |parts: &str, settings: &str| {
         beam("", parts, &format!("duration = 0.08\n{settings}\n{HALF}\n[output]\nerrors = true"))
     };
@@ -71,7 +71,7 @@ fn further_runs() -> [(&'static str, Model); 4] {
 }
 
 /// Short runs of many kinds.
-fn short_runs() -> Vec<(&'static str, Model)> {
+pub(crate) fn short_runs() -> Vec<(&'static str, Model)> {
     let damped = ", damping = { strain = 1e-3, mass = 0.5 }";
     let joint = "[[joints]]\nkind = \"spherical\"\nname = \"again\"\na = { body = \"b\", at = \"start\" }\n";
     vec![
@@ -164,7 +164,7 @@ fn resumed_runs_equal_uninterrupted_runs() {
 
 /// The short runs have divided steps, redundant constraints, rejected steps, contact pairs and reused tangents.
 #[test]
-fn short_runs_cover_all_features() {
+pub(crate) fn short_runs_cover_all_features() {
     let summary = |requested: &str| {
         let (_, model) = short_runs().into_iter().find(|(name, _)| *name == requested).unwrap();
         let (recorder, summary) = run(&model, true);

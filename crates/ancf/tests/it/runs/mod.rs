@@ -1,11 +1,11 @@
 //! Runs of models: observers, checkpoints, failures.
 
 mod body_motion;
-mod checkpoints;
+pub(crate) mod checkpoints;
 mod equilibrium_starts;
 mod extensions;
 mod failures;
 mod given_states;
 mod observers;
-mod recorder;
+pub(crate) mod recorder;
 mod turns;

@@ -15,9 +15,9 @@ use crate::common::models::parse;
 
 /// Observer that records rows as bits and checkpoints as bytes.
 #[derive(Default)]
-pub(super) struct Recorder {
+pub(crate) struct Recorder {
     pub(super) columns: Vec<String>,
-    pub(super) rows: Vec<Vec<u64>>,
+    pub(crate) rows: Vec<Vec<u64>>,
     pub(super) checkpoints: Vec<Vec<u8>>,
     pub(super) last: Option<Vec<u8>>,
     /// True if all checkpoints are recorded.
@@ -66,7 +66,7 @@ impl Observer for Recorder {
 }
 
 /// Runs a model to its end.
-pub(super) fn run(model: &Model, checkpointed: bool) -> (Recorder, Summary) {
+pub(crate) fn run(model: &Model, checkpointed: bool) -> (Recorder, Summary) {
     let mut recorder = Recorder { checkpointed, ..Recorder::default() };
     let summary = Simulation::new(model).unwrap().run(&mut recorder).unwrap();
     (recorder, summary)

@@ -29,6 +29,7 @@ pub(crate) fn free(elements: u32) -> Model {
         joints: Vec::new(),
         couplings: Vec::new(),
         loads: Vec::new(),
+        inputs: Vec::new(),
         assemble: false,
         contacts: Vec::new(),
         initial: Initial::default(),

@@ -1,0 +1,147 @@
+use ancf_solver::dynamics::{StepReport, consistent_positions};
+use ancf_solver::equations::State;
+
+use super::step_error::{StepError, argument};
+use super::stepper::Stepper;
+use crate::failure::{AlternationMonitor, RotationMonitor};
+use crate::initial::{coordinate_units, displacement};
+use crate::results::{AngleRates, Rows, TIME};
+use crate::simulate::COLUMNS;
+
+/// Complete state of a motion, in the user's units.
+///
+/// The coordinates are changes from the reference configuration: displacements of nodes and centres, changes of directions relative to
+/// the magnitude of their reference values, and coordinates of joints.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CompleteState {
+    /// Time.
+    pub time: f64,
+    /// Coordinates q.
+    pub coordinates: Vec<f64>,
+    /// Velocities dq/dt.
+    pub velocities: Vec<f64>,
+}
+
+/// Coordinates of a body or a joint in a [`CompleteState`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct BodyLayout {
+    /// Name.
+    pub name: String,
+    /// First coordinate.
+    pub first: usize,
+    /// True for each position, false for each direction: vectors of three coordinates. Empty for joints.
+    pub are_positions: Vec<bool>,
+    /// Reference values of the vectors: positions, and unit directions.
+    pub reference: Vec<[f64; 3]>,
+    /// Number of coordinates of a joint.
+    pub joint_coordinates: usize,
+}
+
+/// Correction of a given state by the projection onto the constraints.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Projection {
+    /// Largest displacement of a node or centre, length.
+    pub moved: f64,
+    /// Kinetic energy of the correction of the velocities, relative to that of the given velocities.
+    pub corrected: f64,
+}
+
+impl Stepper {
+    /// Layout of the state by body, followed by that of joints with coordinates.
+    pub fn layout(&self) -> Vec<BodyLayout> {
+        let (assembly, scales) = (&self.simulation.assembly, self.simulation.scales());
+        let rest = assembly.rest();
+        let bodies = assembly.bodies().map(|(name, body)| {
+            let vectors = body.vectors(&rest);
+            let reference = vectors.iter().map(|vector| {
+                let unit = if vector.is_position() { scales.length } else { vector.value.norm().recip() };
+                (vector.value * unit).into()
+            });
+            BodyLayout {
+                name: name.to_owned(),
+                first: vectors.first().map_or(0, |vector| vector.first),
+                are_positions: vectors.iter().map(|vector| vector.is_position()).collect(),
+                reference: reference.collect(),
+                joint_coordinates: 0,
+            }
+        });
+        let joints = assembly.joints.iter().filter(|joint| !joint.coordinates.is_empty());
+        let joints = joints.map(|joint| BodyLayout {
+            name: joint.name.clone(),
+            first: joint.coordinates.start,
+            are_positions: Vec::new(),
+            reference: Vec::new(),
+            joint_coordinates: joint.coordinates.len(),
+        });
+        bodies.chain(joints).collect()
+    }
+
+    /// Present state.
+    pub fn state(&self) -> CompleteState {
+        let (s, scales) = (self.dynamics.state(), self.simulation.scales());
+        let units = coordinate_units(&self.simulation.assembly, scales);
+        CompleteState {
+            time: self.time(),
+            coordinates: s.q.iter().zip(&units).map(|(q, unit)| q * unit).collect(),
+            velocities: s.v.iter().zip(&units).map(|(v, unit)| v * (unit / scales.time)).collect(),
+        }
+    }
+
+    /// Continues from another state: positions and velocities are projected onto the constraints in the norm of the kinetic energy,
+    /// accelerations and multipliers are computed, and the energy balance begins anew. Inputs keep their values.
+    ///
+    /// # Errors
+    /// If sizes or numbers are not valid, or if the state cannot be projected. Nothing has changed then.
+    pub fn set_state(&mut self, given: &CompleteState) -> Result<Projection, StepError> {
+        let s = self.checked(given)?;
+        let (assembly, scaled) = (&self.simulation.assembly, &self.simulation.scaled);
+        let mut consistent = s.clone();
+        let system = &assembly.system;
+        consistent_positions(system, &mut system.matrix(), &mut consistent, scaled.length())
+            .map_err(|error| self.failed(error))?;
+        let moved = displacement(assembly, &s, &consistent) * self.simulation.scales().length;
+        let corrected = assembly.projection(&consistent).unwrap_or(0.0);
+        self.dynamics.set_state(&consistent).map_err(|error| self.failed(error))?;
+        self.begin_history();
+        Ok(Projection { moved, corrected })
+    }
+
+    /// State in solver units.
+    fn checked(&self, given: &CompleteState) -> Result<State, StepError> {
+        let (assembly, scales) = (&self.simulation.assembly, self.simulation.scales());
+        let mut s = assembly.initial();
+        for (what, numbers) in [("coordinates", &given.coordinates), ("velocities", &given.velocities)] {
+            if numbers.len() != s.q.len() {
+                let expected = format!("{} numbers", s.q.len());
+                return Err(argument(&format!("state, {what}"), numbers.len(), &expected));
+            }
+            if let Some(x) = numbers.iter().find(|x| !x.is_finite()) {
+                return Err(argument(&format!("state, {what}"), x, "finite numbers"));
+            }
+        }
+        if !(given.time.is_finite() && given.time >= 0.0) {
+            return Err(argument("state, time", given.time, "a time of at least 0"));
+        }
+        let units = coordinate_units(assembly, scales);
+        s.t = given.time / scales.time;
+        for (i, unit) in units.iter().enumerate() {
+            s.q[i] = given.coordinates[i] / unit;
+            s.v[i] = given.velocities[i] / (unit / scales.time);
+        }
+        Ok(s)
+    }
+
+    /// Begins the histories of rows, monitors and events at the present state.
+    fn begin_history(&mut self) {
+        let (assembly, scaled) = (&self.simulation.assembly, &self.simulation.scaled);
+        let s = self.dynamics.state();
+        self.rows = Rows::new(assembly, self.simulation.scales(), TIME, &COLUMNS);
+        self.rows.count_turns(s.t, s, AngleRates::Velocities);
+        self.monitors.rotations = RotationMonitor::new(scaled, assembly);
+        self.monitors.alternations = AlternationMonitor::new(scaled, s.a.len());
+        self.events.move_to(s.t);
+        self.report = StepReport::default();
+        self.is_row_current = false;
+        self.row();
+    }
+}

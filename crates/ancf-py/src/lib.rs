@@ -25,7 +25,7 @@ mod _ancf {
     #[pymodule_export]
     use super::run::pickle::states;
     #[pymodule_export]
-    use super::run::{Simulation, States};
+    use super::run::{Simulation, States, Stepper};
     #[pymodule_export]
     use super::study::{
         case_layout, check_places, linear_fit, observed_orders, parameter_type, reduce_column,

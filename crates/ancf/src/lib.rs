@@ -106,5 +106,7 @@ pub use simulate::{
     Checkpoint, EigenvalueCount, Error, Extension, Observer, Outcome, ResumeError, Simulation,
     SimulationBuilder, Summary, simulate,
 };
-pub use stepping::{BodyLayout, CompleteState, InputUse, Projection, StepError, Stepper};
+pub use stepping::{
+    BodyLayout, CompleteState, DescriptorForm, InputUse, LinearModel, Projection, StepError, Stepper,
+};
 pub use units::Scales;

@@ -23,7 +23,7 @@ pub(super) const MODULES: [Module; 12] = [
     module("drives", "Drives, springs, friction and couplings of joints.", &DRIVES),
     module("connectors", "Joints between two points: rods, springs and bushings.", &[]),
     module("joints", "Joints.", &["Joint"]),
-    module("loads", "Loads in addition to gravity.", &["Load"]),
+    module("loads", "Loads in addition to gravity, and inputs.", &["Load", "Input"]),
     module("contacts", "Contact between bodies and with obstacles.", &["Contact"]),
     module("analyses", "Analyses and their solver settings.", &["Analysis", "Initial"]),
     module("output", "Probes and output.", &["Probe", "Output"]),
@@ -53,7 +53,7 @@ const DRIVES: [&str; 7] = [
 ];
 
 /// Names of classes that differ from the word of their form: definition, word or first required key, name.
-const CLASSES: [(&str, &str, &str); 27] = [
+const CLASSES: [(&str, &str, &str); 28] = [
     ("Analysis", "path", "EquilibriumPath"),
     ("Body", "mass", "PointMass"),
     ("Body", "rigid", "RigidBody"),
@@ -79,6 +79,7 @@ const CLASSES: [(&str, &str, &str); 27] = [
     ("Stop", "increment", "IncrementCriterion"),
     ("Stop", "residual", "ResidualCriterion"),
     ("Varying", "external", "ExternalFunction"),
+    ("Varying", "input", "InputFunction"),
     ("Varying", "step", "StepFunction"),
     ("Varying", "table", "TimeTable"),
 ];

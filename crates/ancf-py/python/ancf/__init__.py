@@ -13,6 +13,7 @@ from ancf.model import *  # noqa: F403
 from ancf.names import unknown as _unknown
 from ancf.record.instant import Instant
 from ancf.result import Result
+from ancf.simulation import LinearModel, Projection, Simulation, State, StepInfo
 from ancf.studies import Study, sobol, study
 
 __version__ = _ancf.VERSION
@@ -22,8 +23,13 @@ __all__ = [
     "AnalysisWarning",
     "Fault",
     "Instant",
+    "LinearModel",
     "ModelError",
+    "Projection",
     "Result",
+    "Simulation",
+    "State",
+    "StepInfo",
     "Study",
     "__version__",
     "buckling",

@@ -2,12 +2,15 @@
 
 mod frames;
 mod keep;
+mod linear;
 pub(crate) mod load;
 pub(crate) mod pickle;
 mod recorder;
 mod simulation;
 mod states;
 mod station_quantity;
+mod stepper;
 
 pub(crate) use simulation::Simulation;
 pub(crate) use states::{FIELD_MEMORY, States, checked_parts};
+pub(crate) use stepper::Stepper;

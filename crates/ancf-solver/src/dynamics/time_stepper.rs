@@ -135,7 +135,7 @@ impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
         let before = self.motion.energy.kinetic;
         project(&*self.eom, matrix, factor, &mut self.motion.state, Projected::Velocities, z)?;
         self.motion.energy = self.eom.energy(&self.motion.state);
-        if self.motion.h > 0.0 {
+        if self.motion.h > 0.0 || self.motion.at_start {
             // Velocity jump: adds the impulsive work, computed with the mean velocity.
             self.motion.exchanged.work += self.motion.energy.kinetic - before;
         }

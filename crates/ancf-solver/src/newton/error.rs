@@ -97,7 +97,7 @@ impl SolveError {
     }
 
     /// Creates a failure at a time outside an iteration.
-    pub(crate) const fn at(t: f64, failure: SolveFailure) -> Self {
+    pub const fn at(t: f64, failure: SolveFailure) -> Self {
         Self { failure, t, iterations: 0, residual: 0.0, increment: 0.0, worst: None }
     }
 }

@@ -2,7 +2,11 @@
 
 mod events;
 mod inputs;
+mod linear_model;
+mod linearise;
+mod null_space;
 mod read;
+mod sensitivity;
 mod snapshot;
 mod start;
 mod step_error;
@@ -10,6 +14,7 @@ mod stepper;
 mod vector;
 
 pub use inputs::InputUse;
+pub use linear_model::{DescriptorForm, LinearModel};
 pub use step_error::StepError;
 pub use stepper::Stepper;
 pub use vector::{BodyLayout, CompleteState, Projection};

@@ -52,15 +52,15 @@ fn forces_follow_their_inputs() {
             near(stepper.read("m.ax").unwrap(), -2.0);
             // From −1 to 1 within 0.2: mean 0, then 1.
             stepper.set_within("thrust", 1.0, 0.2).unwrap();
-            stepper.step(0.1).unwrap();
+            stepper.advance(0.4).unwrap();
             near(stepper.input("thrust").unwrap(), 0.0);
             near(stepper.read("m.vx").unwrap(), -0.1);
             stepper.advance(0.9).unwrap();
             near(stepper.read("m.vx").unwrap(), 0.8);
             let energies = stepper.energies();
             near(energies[0].1, 0.64);
-            near(energies[3].1, 0.64);
-            near(energies[5].1, 0.0);
+            // The work of varying forces has the error of the quadrature.
+            assert!((energies[3].1 - 0.64).abs() < 4e-4 && energies[5].1.abs() < 4e-4, "{energies:?}");
         }
     }
 }
@@ -100,7 +100,7 @@ fn rotor(scales: &str, drive: &str) -> String {
          inputs = [{{ name = \"motor\" }}]\n\
          [[joints]]\nkind = \"revolute\"\nname = \"shaft\"\na = {{ body = \"r\", at = \"center\" }}\naxis = [0, 0, 1]\n\
          drive = {{ {drive} = 2, time = {{ kind = \"input\", name = \"motor\" }} }}\n\
-         [analysis]\nkind = \"dynamics\"\nduration = 1\nstep = 0.01\nscheme = {{ spectral_radius = 0.8 }}\n"
+         [analysis]\nkind = \"dynamics\"\nduration = 1\nstep = 1e-3\nscheme = {{ spectral_radius = 0.8 }}\n"
     )
 }
 
@@ -117,13 +117,17 @@ fn rates_of_drives_follow_their_inputs() {
             assert!((found - expected).abs() < 1e-9, "{scales}: {found}, not {expected}");
         };
         near(stepper.read("shaft.angle").unwrap(), 1.2);
-        near(stepper.read("work").unwrap(), 0.25 * 36.0);
+        let work = |stepper: &mut Stepper, expected: f64| {
+            let work = stepper.read("work").unwrap();
+            assert!((work - expected).abs() < 5e-3, "{scales}: {work}, not {expected}");
+        };
+        work(&mut stepper, 0.25 * 36.0);
         stepper.set_within("motor", 1.0, 0.1).unwrap();
-        stepper.step(0.03).unwrap();
+        stepper.advance(0.33).unwrap();
         let saved = stepper.save().unwrap();
         stepper.advance(0.5).unwrap();
         near(stepper.read("shaft.angle").unwrap(), 1.2 + 0.4 + 0.2);
-        near(stepper.read("work").unwrap(), 1.0);
+        work(&mut stepper, 1.0);
         let end: Vec<u64> = stepper.row().iter().map(|x| x.to_bits()).collect();
         let mut other = Stepper::new(&model).unwrap();
         other.restore(&saved).unwrap();
@@ -141,13 +145,14 @@ fn driven_positions_do_not_jump() {
         assert!(error.contains("`ramp` > 0") && error.contains("must not jump"), "{error}");
         stepper.set("motor", 0.0).unwrap();
         stepper.set_within("motor", 0.3, 0.2).unwrap();
-        stepper.step(0.1).unwrap();
+        stepper.advance(0.1).unwrap();
         assert!((stepper.read("shaft.angle").unwrap() - 0.3).abs() < 1e-12);
         assert!((stepper.read("shaft.rate").unwrap() - 3.0).abs() < 1e-9);
         stepper.advance(0.3).unwrap();
         assert!((stepper.read("shaft.angle").unwrap() - 0.6).abs() < 1e-12);
         assert!(stepper.read("shaft.rate").unwrap().abs() < 1e-9);
-        assert!(stepper.read("work").unwrap().abs() < 1e-9);
+        let work = stepper.read("work").unwrap();
+        assert!(work.abs() < 5e-3, "{work}");
     }
 }
 

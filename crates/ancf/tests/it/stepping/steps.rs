@@ -149,9 +149,7 @@ fn only_motions_are_advanced() {
 #[test]
 fn failed_steps_state_time_and_cause() {
     let (_, model) = short_runs().into_iter().find(|(name, _)| *name == "divided steps").unwrap();
-    let text = toml::to_string(&model)
-        .unwrap()
-        .replace("max_iterations = 6", "max_iterations = 6\nmax_halvings = 0");
+    let text = toml::to_string(&model).unwrap().replace("max_halvings = 10", "max_halvings = 0");
     let mut stepper = Stepper::new(&parse(&text)).unwrap();
     let saved = stepper.save().unwrap();
     let StepError::Failed(error) = stepper.step(0.25).unwrap_err() else { panic!("another error") };

@@ -16,7 +16,7 @@ from ancf.model.contacts import Contact
 from ancf.model.document import Document
 from ancf.model.drives import Coupling
 from ancf.model.joints import Joint
-from ancf.model.loads import Load
+from ancf.model.loads import Input, Load
 from ancf.model.output import Output, Probe
 from ancf.model.sections import Material, Section
 
@@ -136,6 +136,8 @@ class Model(Document):
         Acceleration of gravity, length/time²; no gravity by default.
     initial
         State at the start of dynamics; the undeformed state by default.
+    inputs
+        Inputs, which a program sets between time steps.
     joints
         Joints between bodies, or between a body and the ground.
     loads
@@ -167,6 +169,7 @@ class Model(Document):
     couplings: Sequence[Coupling] | None = None
     gravity: Vector | None = None
     initial: InitialState | None = None
+    inputs: Sequence[Input] | None = None
     joints: Sequence[Joint] | None = None
     loads: Sequence[Load] | None = None
     materials: Mapping[str, Material] | None = None

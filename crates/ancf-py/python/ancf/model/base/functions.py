@@ -14,6 +14,7 @@ from ancf.model.base.part import Numbers, Part
 __all__ = [
     "Expression",
     "ExternalFunction",
+    "InputFunction",
     "Ramp",
     "Sine",
     "StepFunction",
@@ -155,7 +156,28 @@ class ExternalFunction(Part):
     unit: float | None = None
 
 
-VaryingFunction: TypeAlias = TimeTable | Ramp | StepFunction | Sine | Expression | ExternalFunction
+@checked_arguments
+@dataclass(kw_only=True, slots=True, eq=False, repr=False)
+class InputFunction(Part):
+    """Input of the model, which a program sets between time steps. Runs use its declared value.
+
+    Attributes
+    ----------
+    name
+        Name of the input.
+
+    """
+
+    _form = "Varying"
+    _tag = "kind"
+    kind: ClassVar[Literal["input"]] = "input"
+
+    name: str = field(kw_only=False)
+
+
+VaryingFunction: TypeAlias = (
+    TimeTable | Ramp | StepFunction | Sine | Expression | ExternalFunction | InputFunction
+)
 """Variation of a function in time. All values are pure numbers."""
 
 TimeFunction: TypeAlias = float | VaryingFunction | Callable[[float], float | tuple[float, float, float]]

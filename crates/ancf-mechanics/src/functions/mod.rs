@@ -2,7 +2,6 @@
 
 mod expression;
 mod external_function;
-mod force;
 mod function;
 mod function_bounds;
 mod function_value;
@@ -15,8 +14,7 @@ mod time_table;
 mod variation;
 
 pub use expression::Expression;
-pub use external_function::ExternalFunction;
-pub use force::ForceFunction;
+pub use external_function::{ExternalFunction, ForceFunction};
 pub use function::{Function, Integral};
 pub use function_value::FunctionValue;
 pub use grammar::ExpressionError;

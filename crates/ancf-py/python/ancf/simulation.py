@@ -15,6 +15,8 @@ from ancf.errors import AnalysisWarning
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping, Sequence
 
+    from numpy.typing import NDArray
+
     from ancf.analysis import ModelLike
     from ancf.record.columns import Array
 
@@ -45,7 +47,9 @@ class Projection(NamedTuple):
 class BodyState:
     """State of a body: views of the arrays of a `State`, one row per nodal vector."""
 
-    def __init__(self, displacements: Array, velocities: Array, reference: Array, is_position: Array) -> None:
+    def __init__(
+        self, displacements: Array, velocities: Array, reference: Array, is_position: NDArray[np.bool_]
+    ) -> None:
         """Store the views."""
         self.displacements = displacements
         """Changes from the reference: of positions in lengths, of directions relative to their magnitude."""
@@ -154,9 +158,9 @@ class LinearModel:
     warnings: list[str]
 
     @property
-    def poles(self) -> Array:
+    def poles(self) -> NDArray[np.complex128]:
         """Eigenvalues of A."""
-        return np.linalg.eigvals(self.A)
+        return np.linalg.eigvals(self.A).astype(np.complex128)
 
     def x(self, simulation: Simulation) -> Array:
         """Return the minimal coordinates of the present state of a simulation of the same model."""
@@ -264,7 +268,10 @@ class Simulation:
 
     @property
     def state(self) -> State:
-        """Copy of the present state. An assigned state is projected onto the constraints, with a warning if it moves."""
+        """Copy of the present state.
+
+        An assigned state is projected onto the constraints, with a warning if it moves.
+        """
         time, coordinates, velocities = self._stepper.state()
         return State(time, coordinates, velocities, self._stepper.layout())
 

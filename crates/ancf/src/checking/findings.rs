@@ -1,5 +1,8 @@
 //! Findings about keys, and the keys on which each finding depends.
 
+use std::collections::HashMap;
+use std::collections::hash_map::Entry;
+
 use nalgebra::Vector3;
 
 use crate::errors::{Finding, ModelError, finding, listed, nearest, number, quoted};
@@ -17,6 +20,33 @@ pub(crate) fn is_direction(vector: [f64; 3]) -> bool {
 
 pub(crate) fn no_direction(path: String, vector: [f64; 3]) -> Finding {
     finding(path, format!("a vector of length {}", number(Vector3::from(vector).norm())), "a direction")
+}
+
+/// Findings for names that are not unique, or unfit for columns.
+pub(super) fn rule_of_names(names: Vec<(String, &str)>) -> Vec<Finding> {
+    let unfit =
+        |name: &str| name.trim() != name || name.contains(|c: char| c.is_control() || ",.'\"".contains(c));
+    let spaced = names.iter().filter(|(_, name)| unfit(name)).map(|(path, name)| {
+        finding(
+            format!("{path}.name"),
+            quoted(name),
+            "a name without dot, comma, quotes or outer spaces, for use in columns",
+        )
+    });
+    let mut first: HashMap<&str, &String> = HashMap::new();
+    let twice = names.iter().filter_map(|(path, name)| {
+        let first = match first.entry(name) {
+            Entry::Vacant(place) => {
+                place.insert(path);
+                return None;
+            }
+            Entry::Occupied(first) => *first.get(),
+        };
+        let found = format!("{} a second time", quoted(name));
+        let expected = format!("a name of its own; `{first}` has this one");
+        Some(finding(format!("{path}.name"), found, expected).rests_on([format!("{first}.name")]))
+    });
+    spaced.chain(twice).collect()
 }
 
 /// Finding for an unknown name.

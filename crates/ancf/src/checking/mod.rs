@@ -6,7 +6,6 @@ mod contacts;
 mod display;
 mod findings;
 mod friction;
-mod inputs;
 mod joints;
 mod loads;
 mod memory;

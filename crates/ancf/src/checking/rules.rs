@@ -1,17 +1,14 @@
 //! Checks of a model beyond its schema: names, sizes, places, scales; and the list of all checks.
 
-use std::collections::HashMap;
-use std::collections::hash_map::Entry;
-
 use nalgebra::Vector3;
 
 use super::bodies::{bodies, cables, formulations};
 use super::capabilities::capabilities;
 use super::contacts::contacts;
-use super::findings::{COINCIDENT, body, places_of, rule_of_place};
+use super::findings::{COINCIDENT, body, places_of, rule_of_names, rule_of_place};
 use super::memory::{MAX_ELEMENTS, memory_of};
 use super::scheme::{errors, scheme, time};
-use crate::errors::{Finding, finding, number, quoted};
+use crate::errors::{Finding, finding, number};
 use crate::joints::{End, Joint};
 use crate::model::{IndexedModel, Model, ON_AXIS, Origin, Place, bodies_of, joints_of};
 use crate::schema::join;
@@ -39,7 +36,7 @@ pub(crate) fn broken_rules(model: &Model) -> Vec<Finding> {
     let of_times = [
         super::time_functions::functions,
         super::time_functions::ground_points,
-        super::inputs::inputs,
+        super::time_functions::inputs,
         capabilities,
     ];
     let of_loads = [
@@ -74,32 +71,6 @@ fn columns(model: &IndexedModel<'_>) -> Vec<Finding> {
     let couplings = model.couplings.iter().enumerate();
     let couplings = couplings.map(|(i, coupling)| (format!("couplings[{i}]"), &*coupling.name));
     rule_of_names(joints.chain(probes).chain(couplings).collect())
-}
-
-pub(super) fn rule_of_names(names: Vec<(String, &str)>) -> Vec<Finding> {
-    let unfit =
-        |name: &str| name.trim() != name || name.contains(|c: char| c.is_control() || ",.'\"".contains(c));
-    let spaced = names.iter().filter(|(_, name)| unfit(name)).map(|(path, name)| {
-        finding(
-            format!("{path}.name"),
-            quoted(name),
-            "a name without dot, comma, quotes or outer spaces, for use in columns",
-        )
-    });
-    let mut first: HashMap<&str, &String> = HashMap::new();
-    let twice = names.iter().filter_map(|(path, name)| {
-        let first = match first.entry(name) {
-            Entry::Vacant(place) => {
-                place.insert(path);
-                return None;
-            }
-            Entry::Occupied(first) => *first.get(),
-        };
-        let found = format!("{} a second time", quoted(name));
-        let expected = format!("a name of its own; `{first}` has this one");
-        Some(finding(format!("{path}.name"), found, expected).rests_on([format!("{first}.name")]))
-    });
-    spaced.chain(twice).collect()
 }
 
 /// Checks of the kinds of sections.

@@ -1,11 +1,11 @@
-//! Checks of functions of time and of ground points.
+//! Checks of functions of time, of inputs, and of ground points.
 
 use nalgebra::Vector3;
 
-use super::findings::{COINCIDENT, body};
+use super::findings::{COINCIDENT, body, rule_of_names, unknown};
 use crate::errors::{Finding, finding, number, quoted};
 use crate::joints::{End, Joint};
-use crate::model::{IndexedModel, TimeFunction, Varying, joints_of};
+use crate::model::{IndexedModel, Input, TimeFunction, Varying, joints_of};
 
 /// Checks that functions of time are defined: tables in ascending order, intervals not empty, valid formulas.
 pub(crate) fn functions(model: &IndexedModel<'_>) -> Vec<Finding> {
@@ -60,6 +60,35 @@ fn rule_of_formula(path: String, text: &str, time: &TimeFunction) -> Option<Find
             (!value.is_finite()).then(|| finding(path, found(), "one that is a number"))
         }
     }
+}
+
+/// Checks that inputs have unique names, that functions of time refer to inputs, and that each input has a use.
+pub(crate) fn inputs(model: &IndexedModel<'_>) -> Vec<Finding> {
+    let paths = |(i, input): (usize, &Input)| (format!("inputs[{i}]"), input.name.clone());
+    let declared: Vec<(String, String)> = model.inputs.iter().enumerate().map(paths).collect();
+    let mut findings =
+        rule_of_names(declared.iter().map(|(path, name)| (path.clone(), name.as_str())).collect());
+    let used = model.time_functions();
+    let used: Vec<(&str, &str)> =
+        used.iter().filter_map(|(path, time)| Some((path.as_str(), time.input_name()?))).collect();
+    for (path, name) in &used {
+        if declared.iter().all(|(_, own)| own != name) {
+            let names = declared.iter().map(|(_, name)| name.as_str()).collect();
+            let error = unknown(format!("{path}.name"), "input", name, names);
+            findings.push(error.rests_on(["inputs".to_owned()]));
+        }
+    }
+    for (path, name) in &declared {
+        if used.iter().all(|(_, own)| own != name) {
+            let found = format!("{}, which no load and no drive uses", quoted(name));
+            let expected =
+                "an input that is the `time` of a load or drive: `time = { kind = \"input\", name = ... }`";
+            let error = finding(format!("{path}.name"), found, expected);
+            let error = error.rests_on(["loads", "joints"].map(str::to_owned));
+            findings.push(Finding { absence: true, ..error });
+        }
+    }
+    findings
 }
 
 /// Checks that joints to ground points start there in dynamics from the undeformed state.

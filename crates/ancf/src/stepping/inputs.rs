@@ -1,22 +1,7 @@
-use serde::{Deserialize, Serialize};
-
 use super::step_error::{StepError, argument};
-use super::stepper::Stepper;
+use super::stepper::{Setting, Stepper};
 use crate::errors::{listed, nearest, quoted};
 use crate::model::{Model, joints_of};
-
-/// New value of an input, and duration of the linear transition to it in solver units.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub(super) struct Setting {
-    pub(super) value: f64,
-    pub(super) duration: f64,
-}
-
-impl Setting {
-    pub(super) fn is_valid(self) -> bool {
-        self.value.is_finite() && self.duration.is_finite() && self.duration >= 0.0
-    }
-}
 
 /// Use of an input in a model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,12 +1,10 @@
 //! Motions that a program advances step by step, with inputs that it sets.
 
+mod advance;
 mod events;
 mod inputs;
-mod linear_model;
-mod linearise;
-mod null_space;
+mod linear;
 mod read;
-mod sensitivity;
 mod snapshot;
 mod start;
 mod step_error;
@@ -14,7 +12,7 @@ mod stepper;
 mod vector;
 
 pub use inputs::InputUse;
-pub use linear_model::{DescriptorForm, LinearModel};
+pub use linear::{DescriptorForm, LinearModel};
 pub use step_error::StepError;
 pub use stepper::Stepper;
 pub use vector::{BodyLayout, CompleteState, Projection};

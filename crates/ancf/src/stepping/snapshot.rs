@@ -3,9 +3,8 @@ use ancf_solver::dynamics::{AdaptiveCheckpoint, StepReport, StepperCheckpoint};
 use serde::{Deserialize, Serialize};
 
 use super::events::PassedEvents;
-use super::inputs::Setting;
 use super::step_error::StepError;
-use super::stepper::Stepper;
+use super::stepper::{Setting, Stepper};
 use crate::failure::{AlternationHistory, RotationHistory};
 use crate::results::RowHistory;
 use crate::simulate::{StepCounts, fingerprint, hash_of};

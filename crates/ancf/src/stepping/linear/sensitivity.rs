@@ -2,12 +2,12 @@ use ancf_mechanics::functions::InputTransition;
 use ancf_solver::equations::{EquationsOfMotion, Level, State};
 use nalgebra::{DMatrix, DVector};
 
-use super::linearise::{ConstrainedSolver, Linearised};
-use super::step_error::{StepError, argument};
-use super::stepper::Stepper;
+use super::tangents::{ConstrainedSolver, Linearised};
 use crate::errors::quoted;
 use crate::results::AngleRates;
 use crate::simulate::COLUMNS;
+use crate::stepping::step_error::{StepError, argument};
+use crate::stepping::stepper::Stepper;
 
 /// Columns that are no functions of the state.
 const HISTORY: [&str; 4] = ["t", "work", "dissipated", "balance"];

@@ -1,7 +1,7 @@
 use nalgebra::{DMatrix, DVector};
 
-use super::step_error::{StepError, argument};
-use super::stepper::Stepper;
+use crate::stepping::step_error::{StepError, argument};
+use crate::stepping::stepper::Stepper;
 
 /// Linear model of a motion about a state, in the user's units:
 ///

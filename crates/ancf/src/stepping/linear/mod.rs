@@ -1,0 +1,9 @@
+//! Linear models about states of a motion.
+
+mod linear_model;
+mod linearise;
+mod null_space;
+mod sensitivity;
+mod tangents;
+
+pub use linear_model::{DescriptorForm, LinearModel};

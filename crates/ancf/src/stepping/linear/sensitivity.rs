@@ -52,7 +52,7 @@ impl Stepper {
         for (j, change) in changes.iter().enumerate() {
             let column = self.column_derivatives(&of.s, change, outputs);
             let to = if j < 2 * count { c.column_mut(j) } else { d.column_mut(j - 2 * count) };
-            column.into_iter().zip(to.into_iter()).for_each(|(value, to)| *to = value);
+            column.into_iter().zip(to).for_each(|(value, to)| *to = value);
         }
         self.rows.restore(&history);
         self.is_row_current = false;

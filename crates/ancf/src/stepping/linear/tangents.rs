@@ -147,7 +147,7 @@ impl Stepper {
                 let h = self.difference(&z);
                 let wrong = (0..n).find(|&i| {
                     let rounding = 8.0 * floor[i] / h;
-                    (found[i] - expected[i]).abs() > DEVIATION * size.max((&found).amax()) + rounding
+                    (found[i] - expected[i]).abs() > DEVIATION * size.max(found.amax()) + rounding
                 });
                 if let Some(i) = wrong {
                     let place = self.simulation.assembly.name_in(i, self.simulation.scales().length);

@@ -1,44 +1,45 @@
 use nalgebra::DVector;
 
-use super::krylov::{EigenError, Operator};
+use super::full_rows::FullRows;
+use super::operator::{EigenError, Operator};
 use crate::equations::{EquationsOfMotion, State, StiffnessProducts, Weights};
 use crate::factor::Factor;
 use crate::newton::Interrupt;
 use crate::sparse::SparseMatrix;
 
-/// Matrices K and M of a state, and K − σM with its factors.
+/// Matrix M of a state, the products with K, and K − σM with its factors.
 pub(super) struct Pencil<'a> {
     eom: &'a dyn EquationsOfMotion,
     s: &'a State,
-    stiffness: SparseMatrix,
-    mass: SparseMatrix,
+    mass: FullRows,
     shifted: SparseMatrix,
     factor: Factor,
+    highest: f64,
     interrupt: &'a Interrupt,
 }
 
 impl<'a> Pencil<'a> {
     pub(super) fn new(
         eom: &'a dyn EquationsOfMotion,
-        matrix: SparseMatrix,
+        mut matrix: SparseMatrix,
         s: &'a State,
         interrupt: &'a Interrupt,
     ) -> Result<Self, EigenError> {
-        let (mut stiffness, mut mass) = (matrix.clone(), matrix.clone());
-        eom.tangent(s, Weights::STIFFNESS, &mut stiffness);
-        eom.tangent(s, Weights::MASS, &mut mass);
+        eom.tangent(s, Weights::MASS, &mut matrix);
+        let mass = FullRows::new(&matrix);
+        eom.tangent(s, Weights::STIFFNESS, &mut matrix);
+        let ratio = |i: usize| match mass.diagonal()[i] {
+            mass if mass > 0.0 => matrix.diagonal_of(i).abs() / mass,
+            _ => 0.0,
+        };
+        let highest = (0..eom.coordinates()).map(ratio).fold(0.0, f64::max);
         let factor = Factor::new(matrix.pattern())?;
-        Ok(Self { eom, s, stiffness, mass, shifted: matrix, factor, interrupt })
+        Ok(Self { eom, s, mass, shifted: matrix, factor, highest, interrupt })
     }
 
     /// Estimates the highest ω² by the largest K_ii / M_ii. Returns one without stiffness.
     pub(super) fn highest(&self) -> f64 {
-        let ratio = |i| match self.mass.diagonal_of(i) {
-            mass if mass > 0.0 => self.stiffness.diagonal_of(i).abs() / mass,
-            _ => 0.0,
-        };
-        let highest = (0..self.eom.coordinates()).map(ratio).fold(0.0, f64::max);
-        if highest > 0.0 { highest } else { 1.0 }
+        if self.highest > 0.0 { self.highest } else { 1.0 }
     }
 
     /// Factorises K − σM for the first of σ, 4σ, 16σ, ... below all ω². Returns this shift.
@@ -61,14 +62,9 @@ impl<'a> Pencil<'a> {
         Operator { factor, left: shifted, right: mass, inner: mass, coordinates, interrupt }
     }
 
-    /// Computes K X and Xᵀ K X term by term.
+    /// Computes K X and the diagonal of Xᵀ K X term by term.
     pub(super) fn stiffness_products(&self, x: &[DVector<f64>]) -> StiffnessProducts {
         self.eom.stiffness_products(self.s, x)
-    }
-
-    /// Returns eight times the rounding error of xᵀ K x with the assembled matrix.
-    pub(super) fn rounding(&self, x: &DVector<f64>) -> f64 {
-        8.0 * f64::EPSILON * self.stiffness.magnitude(x.as_slice())
     }
 
     /// Computes M x.
@@ -81,6 +77,17 @@ impl<'a> Pencil<'a> {
         self.eom.coordinates()
     }
 
+    /// Computes the relative change of T x by a step of iterative refinement with products term by term, for a normalised x.
+    ///
+    /// It is the rounding error of the factors, which grows with the ratio of the stiffness of single elements to K − σM.
+    pub(super) fn factor_error(&mut self, x: &DVector<f64>, shift: f64) -> Result<f64, EigenError> {
+        let (image, reactions) = self.operator().apply_with_reactions(x.as_slice())?;
+        let product = self.stiffness_products(std::slice::from_ref(&image)).products.remove(0);
+        let rest = self.mass_times(x) - product + self.mass_times(&image) * shift;
+        let change = self.operator().correction(&image, -rest, Some(&(-reactions)))?;
+        Ok(self.size(&change) / self.size(&image))
+    }
+
     /// Counts the ω² below a value by the negative eigenvalues of K − value · M. Returns `None` without LDLᵀ factors.
     pub(super) fn count_below(&mut self, value: f64) -> Result<Option<usize>, EigenError> {
         self.eom.tangent(self.s, Weights { q: 1.0, v: 0.0, a: -value }, &mut self.shifted);
@@ -91,15 +98,16 @@ impl<'a> Pencil<'a> {
 
     /// Computes √(xᵀ M x).
     pub(super) fn size(&self, x: &DVector<f64>) -> f64 {
-        x.dot(&self.mass_times(x)).max(0.0).sqrt()
+        self.mass.square(x.as_slice()).max(0.0).sqrt()
     }
 
     /// Returns the sign of the first of the largest entries. Entries within a relative 10⁻⁶ count as equal.
     pub(super) fn sign(&self, x: &DVector<f64>) -> f64 {
-        let weighed = |i: usize| x[i] * self.mass.diagonal_of(i).abs().sqrt();
-        let all = 0..self.eom.coordinates();
-        let largest = all.clone().map(|i| weighed(i).abs()).fold(0.0, f64::max);
-        let first = all.clone().find(|&i| weighed(i).abs() >= (1.0 - 1e-6) * largest);
+        let weighed: Vec<f64> =
+            self.mass.diagonal().iter().zip(x).map(|(mass, x)| (x * mass.abs().sqrt()).abs()).collect();
+        let own = &weighed[..self.eom.coordinates()];
+        let largest = own.iter().copied().fold(0.0, f64::max);
+        let first = own.iter().position(|size| *size >= (1.0 - 1e-6) * largest);
         first.map_or(1.0, |i| x[i].signum())
     }
 }

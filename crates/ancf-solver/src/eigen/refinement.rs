@@ -1,6 +1,8 @@
 use nalgebra::{Cholesky, DMatrix, DVector, SymmetricEigen};
 
-use super::krylov::EigenError;
+use super::columns::Columns;
+use super::krylov::{KrylovSpace, Ritz};
+use super::operator::EigenError;
 use super::pencil::Pencil;
 
 /// Maximum number of corrections.
@@ -13,8 +15,10 @@ pub(super) const PROGRESS: f64 = 0.9;
 /// Multiple of the energy zᵀ (K − σM) z of the correction z of a mode up to which its ω² is zero. The error of x = x₀ + z
 /// adds zᵀ K z to ω² = 0.
 const ENERGIES: f64 = 4.0;
+/// Size of a correction above which a mode is not accurate enough for the decision that its ω² is zero.
+const UNDECIDED: f64 = 1e-6;
 
-/// Approximate modes, M-orthonormal, in ascending order of ω².
+/// Modes, M-orthonormal, in ascending order of ω².
 pub(super) struct Refinement {
     /// Values of ω², zero within the rounding error of xᵀ K x.
     pub(super) squared: Vec<f64>,
@@ -24,66 +28,86 @@ pub(super) struct Refinement {
     /// least √(zᵀ (K − σM) z/|σ|).
     pub(super) residuals: Vec<f64>,
     corrections: Vec<DVector<f64>>,
-    forms: DMatrix<f64>,
 }
 
 impl Refinement {
-    /// Corrects modes by inverse iteration with the residuals of the terms, x − (K − σM)⁻¹ (K x − ω² M x), and the
-    /// Rayleigh-Ritz method, until the first `count` residuals are small or no longer decrease.
+    /// Corrects the best `count` Ritz vectors of a space with the residuals of the terms, x − (K − σM)⁻¹ (K x − ω² M x), and the
+    /// Rayleigh-Ritz method, until the residuals are small or no longer decrease.
     ///
-    /// The factors contain the rounding error of the assembled matrix, the residuals do not.
+    /// The factors contain the rounding error of the assembled matrix, the residuals do not. The Ritz vectors of the modes contain
+    /// those of other modes by this error. The Rayleigh-Ritz method therefore also has the other vectors of the space.
     pub(super) fn new(
         pencil: &mut Pencil<'_>,
-        vectors: Vec<DVector<f64>>,
+        (space, ritz): (&KrylovSpace, &Ritz),
         count: usize,
         shift: f64,
     ) -> Result<Self, EigenError> {
-        let vectors = independent(vectors, count, |x| pencil.mass_times(x));
-        let mut best = Self::measure(pencil, vectors, shift)?;
+        let mut best = Self::first(pencil, space.vectors(ritz, count), shift)?;
+        let mut others = None;
         for _ in 0..CORRECTIONS {
-            if best.largest(count) <= ACCURATE {
+            if best.largest() <= ACCURATE {
                 break;
             }
+            let others = others.get_or_insert_with(|| {
+                let mut rest = space.vectors(ritz, ritz.count());
+                OtherVectors::new(pencil, rest.split_off(count))
+            });
             let corrected = best.vectors.iter().zip(&best.corrections).map(|(x, z)| x - z).collect();
-            let rough = Self::measure(pencil, corrected, shift)?;
-            let Some(vectors) = rough.ritz(pencil) else { break };
-            let next = Self::measure(pencil, vectors, shift)?;
-            let progress = next.largest(count) <= PROGRESS * best.largest(count);
-            if next.largest(count) < best.largest(count) {
+            let Some(vectors) = others.ritz(pencil, corrected) else { break };
+            let next = Self::measure(pencil, vectors, &[], shift)?;
+            let progress = next.largest() <= PROGRESS * best.largest();
+            if next.largest() < best.largest() {
                 best = next;
             }
             if !progress {
                 break;
             }
         }
-        best.sort(count);
+        best.sort();
         Ok(best)
     }
 
-    /// Largest of the first residuals.
-    fn largest(&self, count: usize) -> f64 {
-        self.residuals.iter().take(count).copied().fold(0.0, f64::max)
+    /// Applies (K − σM)⁻¹ M, which makes the vectors satisfy the constraints to the accuracy of the linear solver.
+    fn first(
+        pencil: &mut Pencil<'_>,
+        vectors: Vec<DVector<f64>>,
+        shift: f64,
+    ) -> Result<Self, EigenError> {
+        let (mut images, mut reactions) = (Vec::new(), Vec::new());
+        for x in &vectors {
+            let (image, own) = pencil.operator().apply_with_reactions(x.as_slice())?;
+            // K x − ω² M x has the opposite reactions.
+            reactions.push(own / -pencil.size(&image));
+            images.push(image);
+        }
+        Self::measure(pencil, images, &reactions, shift)
     }
 
-    /// Computes ω² = xᵀ K x and the corrections of vectors, which are normalised.
+    /// Largest residual.
+    fn largest(&self) -> f64 {
+        self.residuals.iter().copied().fold(0.0, f64::max)
+    }
+
+    /// Computes ω² = xᵀ K x and the corrections of vectors, which are normalised. The reactions of K x − ω² M x may be known.
     fn measure(
         pencil: &mut Pencil<'_>,
         mut vectors: Vec<DVector<f64>>,
+        reactions: &[DVector<f64>],
         shift: f64,
     ) -> Result<Self, EigenError> {
         vectors.iter_mut().for_each(|x| *x /= pencil.size(x));
         let found = pencil.stiffness_products(&vectors);
         let (mut squared, mut corrections) = (found.values(), Vec::new());
-        for ((x, product), value) in vectors.iter().zip(&found.products).zip(&squared) {
-            let rest = product - pencil.mass_times(x) * *value;
-            corrections.push(pencil.operator().correction(x, rest)?);
+        for (k, (x, product)) in vectors.iter().zip(&found.products).enumerate() {
+            let rest = product - pencil.mass_times(x) * squared[k];
+            corrections.push(pencil.operator().correction(x, rest, reactions.get(k))?);
         }
-        let energies = pencil.stiffness_products(&corrections).forms.diagonal();
+        let energies = pencil.stiffness_products(&corrections).squares;
         let mut residuals = Vec::new();
         for ((z, value), energy) in corrections.iter().zip(&mut squared).zip(&energies) {
             let size = pencil.size(z);
             let energy = energy.abs() + shift.abs() * size.powi(2);
-            if value.abs() <= ENERGIES * energy {
+            if value.abs() <= ENERGIES * energy && size <= UNDECIDED {
                 *value = 0.0;
             }
             residuals.push(match *value {
@@ -91,29 +115,47 @@ impl Refinement {
                 value => size * (value - shift) / value.abs(),
             });
         }
-        Ok(Self { squared, vectors, residuals, corrections, forms: found.forms })
+        Ok(Self { squared, vectors, residuals, corrections })
     }
 
-    /// Returns the Ritz vectors of the span, by ascending Ritz values.
-    fn ritz(&self, pencil: &Pencil<'_>) -> Option<Vec<DVector<f64>>> {
-        let count = self.vectors.len();
-        let images: Vec<_> = self.vectors.iter().map(|x| pencil.mass_times(x)).collect();
-        let gram = DMatrix::from_fn(count, count, |i, j| {
-            0.5 * (self.vectors[i].dot(&images[j]) + self.vectors[j].dot(&images[i]))
-        });
-        let (values, weights) = projected(&(0.5 * (&self.forms + self.forms.transpose())), &gram)?;
-        let mut order: Vec<usize> = (0..count).collect();
-        order.sort_by(|&a, &b| values[a].total_cmp(&values[b]));
-        Some(order.iter().map(|&k| combined(&self.vectors, weights.column(k).as_slice())).collect())
-    }
-
-    /// Sorts the first modes by ω² and removes the others, which may be inaccurate.
-    fn sort(&mut self, count: usize) {
-        let mut order: Vec<usize> = (0..self.squared.len().min(count)).collect();
+    /// Sorts the modes by ω².
+    fn sort(&mut self) {
+        let mut order: Vec<usize> = (0..self.squared.len()).collect();
         order.sort_by(|&a, &b| self.squared[a].total_cmp(&self.squared[b]));
         self.squared = order.iter().map(|&k| self.squared[k]).collect();
         self.residuals = order.iter().map(|&k| self.residuals[k]).collect();
         self.vectors = order.iter().map(|&k| self.vectors[k].clone()).collect();
+    }
+}
+
+/// Vectors of a space besides those of the modes, and their products with K.
+struct OtherVectors {
+    vectors: Vec<DVector<f64>>,
+    products: Vec<DVector<f64>>,
+}
+
+impl OtherVectors {
+    fn new(pencil: &Pencil<'_>, vectors: Vec<DVector<f64>>) -> Self {
+        let products = pencil.stiffness_products(&vectors).products;
+        Self { vectors, products }
+    }
+
+    /// Returns the Ritz vectors of the span of these and other vectors with the lowest Ritz values, as many as the latter.
+    fn ritz(&self, pencil: &Pencil<'_>, mut vectors: Vec<DVector<f64>>) -> Option<Vec<DVector<f64>>> {
+        let count = vectors.len();
+        let mut products = pencil.stiffness_products(&vectors).products;
+        vectors.extend_from_slice(&self.vectors);
+        products.extend_from_slice(&self.products);
+        let images: Vec<_> = vectors.iter().map(|x| pencil.mass_times(x)).collect();
+        let rows = vectors[0].len();
+        let [vectors, products, images] = [vectors, products, images].map(|x| Columns::of(rows, &x));
+        let (forms, gram) = (vectors.products(&products), vectors.products(&images));
+        let symmetric = |x: DMatrix<f64>| 0.5 * (&x + x.transpose());
+        let (values, weights) = projected(&symmetric(forms), &symmetric(gram))?;
+        let mut order: Vec<usize> = (0..values.len()).collect();
+        order.sort_by(|&a, &b| values[a].total_cmp(&values[b]));
+        let lowest = DMatrix::from_fn(values.len(), count, |i, k| weights[(i, order[k])]);
+        Some(vectors.combined(&lowest).vectors())
     }
 }
 

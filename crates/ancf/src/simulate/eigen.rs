@@ -210,6 +210,9 @@ impl AnalysisRun<'_> {
 
     /// Warns of zero frequencies beyond the rigid-body motions that the geometry leaves free.
     fn held_but_zero(&self, s: &State, zeros: usize) -> Option<String> {
+        if zeros == 0 {
+            return None;
+        }
         let free = self.assembly.free_motions(s)?.len();
         (zeros > free).then(|| {
             format!(

@@ -83,7 +83,6 @@ pub trait Interpolation<const N: usize> {
     /// Kind of each vector.
     const KINDS: [VectorKind; N];
 
-
     /// Returns the length of the element.
     fn length(&self) -> f64;
 

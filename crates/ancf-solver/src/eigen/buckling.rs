@@ -195,7 +195,14 @@ impl BucklingPencil<'_> {
     /// Operator T = −K₀⁻¹ K_g.
     fn operator(&mut self) -> Operator<'_> {
         let Self { eom, stiffness, rows: [softening, inner], factor, interrupt, .. } = self;
-        Operator { factor, left: stiffness, right: softening, inner, coordinates: eom.coordinates(), interrupt }
+        Operator {
+            factor,
+            left: stiffness,
+            right: softening,
+            inner,
+            coordinates: eom.coordinates(),
+            interrupt,
+        }
     }
 
     /// Factorises K₀ again.

@@ -72,8 +72,7 @@ pub(super) struct KrylovSpace {
 impl KrylovSpace {
     /// Creates the space of starting vectors, with at most `limit` dimensions.
     pub(super) fn new(op: &Operator<'_>, start: Columns, limit: usize) -> Result<Self, EigenError> {
-        let mut space =
-            Self { basis: Columns::new(op.inner.diagonal().len()), columns: Vec::new(), limit };
+        let mut space = Self { basis: Columns::new(op.inner.diagonal().len()), columns: Vec::new(), limit };
         space.insert(op, start)?;
         Ok(space)
     }
@@ -129,7 +128,11 @@ impl KrylovSpace {
     }
 
     /// Orthogonalises a block and adds the remainders to the basis. Returns the coefficients of its vectors.
-    pub(super) fn insert(&mut self, op: &Operator<'_>, mut block: Columns) -> Result<Vec<Vec<f64>>, EigenError> {
+    pub(super) fn insert(
+        &mut self,
+        op: &Operator<'_>,
+        mut block: Columns,
+    ) -> Result<Vec<Vec<f64>>, EigenError> {
         let before = (0..block.count()).map(|k| self.size(op, block.column(k)));
         let before: Vec<f64> = before.collect::<Result<_, _>>()?;
         let mut sum = DMatrix::zeros(self.basis.count(), block.count());

@@ -57,6 +57,8 @@ impl EigenModes {
 
 /// Residual tolerance of converged eigenpairs.
 const TOLERANCE: f64 = 1e-8;
+/// Residual tolerance relative to the error of the factors.
+const TOLERANCE_OF_ERROR: f64 = 1e-3;
 /// Number of vectors of a block, and of those that are added after a missed mode.
 const BLOCK: usize = 4;
 /// Number of vectors for the estimate of the spectrum: more than the six rigid modes of a free body.
@@ -209,6 +211,8 @@ impl ShiftedSearch {
             relative = relative.max(change);
             self.error = self.error.max(change * (value - self.shift));
         }
+        // Vectors of the factors are not more accurate than the factors.
+        self.search.tolerance = f64::max(TOLERANCE, TOLERANCE_OF_ERROR * relative);
         let distance = lowest - self.shift;
         if relative > MAX_FACTOR_ERROR {
             return Ok(Some(lowest - SAFE * self.error.max(distance)));

@@ -101,17 +101,17 @@ impl Operator<'_> {
         if n == size {
             return self.solve(r);
         }
-        r.rows_mut(n, size - n).copy_from_slice(&self.left.times(x.as_slice())[n..]);
-        let reactions = match reactions {
-            Some(reactions) => reactions.clone(),
-            None => {
-                let mut whole = r.clone();
-                self.solve_whole(&mut whole)?;
-                whole.rows_mut(0, n).fill(0.0);
-                whole
-            }
-        };
-        r -= DVector::from(self.left.times(reactions.as_slice()));
+        r.rows_mut(n, size - n).fill(0.0);
+        self.left.constraints().for_each(|(multiplier, c, entry)| r[multiplier] += entry * x[c]);
+        let mut first = None;
+        if reactions.is_none() {
+            let mut whole = r.clone();
+            self.solve_whole(&mut whole)?;
+            first = Some(whole);
+        }
+        if let Some(reactions) = reactions.or(first.as_ref()) {
+            self.left.constraints().for_each(|(multiplier, c, entry)| r[c] -= entry * reactions[multiplier]);
+        }
         self.solve_whole(&mut r)?;
         r.rows_mut(n, size - n).fill(0.0);
         Ok(r)

@@ -7,6 +7,9 @@ use crate::factor::Factor;
 use crate::newton::Interrupt;
 use crate::sparse::SparseMatrix;
 
+/// Number of shifts without a symmetric factorisation.
+const TRIALS: usize = 3;
+
 /// Matrix M of a state, the products with K, and K − σM with its factors.
 pub(super) struct Pencil<'a> {
     eom: &'a dyn EquationsOfMotion,
@@ -43,12 +46,16 @@ impl<'a> Pencil<'a> {
     }
 
     /// Factorises K − σM for the first of σ, 4σ, 16σ, ... below all ω². Returns this shift.
+    ///
+    /// Pivots may be rounding errors next to an eigenvalue. Some larger distances are therefore tried before factors without
+    /// inertia are accepted.
     pub(super) fn factorise(&mut self, mut shift: f64) -> Result<f64, EigenError> {
         // 4¹⁰⁰ exceeds any spectrum.
-        for _ in 0..100 {
+        for trial in 0..100 {
             self.eom.tangent(self.s, Weights { q: 1.0, v: 0.0, a: -shift }, &mut self.shifted);
             self.factor.factorise(&self.shifted)?;
             match self.factor.negative_pivots() {
+                None if trial < TRIALS => shift *= 4.0,
                 Some(negative) if negative > self.eom.multipliers() => shift *= 4.0,
                 _ => return Ok(shift),
             }

@@ -12,6 +12,9 @@ pub(super) const ACCURATE: f64 = 1e-9;
 /// Reduction of the residual below which further corrections have no effect.
 pub(super) const PROGRESS: f64 = 0.9;
 
+/// Residual up to which the corrections alone reduce the components of other modes.
+const SMALL: f64 = 1e-6;
+
 /// Multiple of the energy zᵀ (K − σM) z of the correction z of a mode up to which its ω² is zero. The error of x = x₀ + z
 /// adds zᵀ K z to ω² = 0.
 const ENERGIES: f64 = 4.0;
@@ -35,7 +38,7 @@ impl Refinement {
     /// Rayleigh-Ritz method, until the residuals are small or no longer decrease.
     ///
     /// The factors contain the rounding error of the assembled matrix, the residuals do not. The Ritz vectors of the modes contain
-    /// those of other modes by this error. The Rayleigh-Ritz method therefore also has the other vectors of the space.
+    /// those of other modes by this error. Unless it is small, the Rayleigh-Ritz method therefore also has the other vectors of the space.
     pub(super) fn new(
         pencil: &mut Pencil<'_>,
         (space, ritz): (&KrylovSpace, &Ritz),
@@ -43,15 +46,15 @@ impl Refinement {
         shift: f64,
     ) -> Result<Self, EigenError> {
         let mut best = Self::first(pencil, space.vectors(ritz, count), shift)?;
-        let mut others = None;
+        let mut others = OtherVectors { vectors: Vec::new(), products: Vec::new() };
+        if best.largest() > SMALL {
+            let mut rest = space.vectors(ritz, ritz.count());
+            others = OtherVectors::new(pencil, rest.split_off(count));
+        }
         for _ in 0..CORRECTIONS {
             if best.largest() <= ACCURATE {
                 break;
             }
-            let others = others.get_or_insert_with(|| {
-                let mut rest = space.vectors(ritz, ritz.count());
-                OtherVectors::new(pencil, rest.split_off(count))
-            });
             let corrected = best.vectors.iter().zip(&best.corrections).map(|(x, z)| x - z).collect();
             let Some(vectors) = others.ritz(pencil, corrected) else { break };
             let next = Self::measure(pencil, vectors, &[], shift)?;
@@ -68,11 +71,7 @@ impl Refinement {
     }
 
     /// Applies (K − σM)⁻¹ M, which makes the vectors satisfy the constraints to the accuracy of the linear solver.
-    fn first(
-        pencil: &mut Pencil<'_>,
-        vectors: Vec<DVector<f64>>,
-        shift: f64,
-    ) -> Result<Self, EigenError> {
+    fn first(pencil: &mut Pencil<'_>, vectors: Vec<DVector<f64>>, shift: f64) -> Result<Self, EigenError> {
         let (mut images, mut reactions) = (Vec::new(), Vec::new());
         for x in &vectors {
             let (image, own) = pencil.operator().apply_with_reactions(x.as_slice())?;
@@ -160,7 +159,7 @@ impl OtherVectors {
 }
 
 /// Size of a guard vector, relative to the largest vector, below which it consists of rounding errors.
-const SMALL: f64 = 1e-6;
+const NEGLIGIBLE: f64 = 1e-6;
 /// Size of the independent part of a guard vector below which the vector is dependent.
 const DEPENDENT: f64 = 1e-3;
 
@@ -175,7 +174,7 @@ pub(super) fn independent(
     let mut kept: Vec<(DVector<f64>, DVector<f64>)> = Vec::new();
     for (k, mut x) in vectors.into_iter().enumerate() {
         let whole = size(&x);
-        if k >= count && whole <= SMALL * largest {
+        if k >= count && whole <= NEGLIGIBLE * largest {
             continue;
         }
         x /= whole;

@@ -127,8 +127,8 @@ pub fn buckling(
     }
     let mut mass = matrix;
     eom.tangent(s, Weights::MASS, &mut mass);
-    let rows = [&softening, &stiffness].map(FullRows::new);
-    let mut pencil = BucklingPencil { eom, s, stiffness, softening, rows, mass, factor, interrupt };
+    let (rows, scales) = ([&softening, &stiffness].map(FullRows::new), vec![1.0; mass.pattern().size()]);
+    let mut pencil = BucklingPencil { eom, s, stiffness, softening, rows, scales, mass, factor, interrupt };
     // The last factor may have a neighbour of the same magnitude and the other sign.
     let requested = count + usize::from(sense == LoadDirection::Either);
     let mut start = pencil.operator().start(requested + GUARD, 0)?;
@@ -171,7 +171,7 @@ impl LoadDirection {
             Self::Reversed => |theta| -theta,
             Self::Either => f64::abs,
         };
-        EigenSearch { count, key, least: MIN_EIGENVALUE, tolerance: TOLERANCE }
+        EigenSearch { count, key, least: MIN_EIGENVALUE, tolerance: TOLERANCE, capacity: usize::MAX }
     }
 }
 
@@ -186,6 +186,7 @@ struct BucklingPencil<'a> {
     softening: SparseMatrix,
     /// −K_g and K₀ by rows.
     rows: [FullRows; 2],
+    scales: Vec<f64>,
     mass: SparseMatrix,
     factor: Factor,
     interrupt: &'a Interrupt,
@@ -194,10 +195,11 @@ struct BucklingPencil<'a> {
 impl BucklingPencil<'_> {
     /// Operator T = −K₀⁻¹ K_g.
     fn operator(&mut self) -> Operator<'_> {
-        let Self { eom, stiffness, rows: [softening, inner], factor, interrupt, .. } = self;
+        let Self { eom, stiffness, rows: [softening, inner], scales, factor, interrupt, .. } = self;
         Operator {
             factor,
             left: stiffness,
+            scales,
             right: softening,
             inner,
             coordinates: eom.coordinates(),

@@ -1,3 +1,5 @@
+use std::ops::Range;
+
 use faer::linalg::matmul::matmul;
 use faer::{Accum, MatMut, MatRef, Par};
 use nalgebra::{DMatrix, DVector};
@@ -24,6 +26,11 @@ impl Columns {
         let mut columns = Self::new(rows);
         vectors.iter().for_each(|x| columns.push(x.as_slice()));
         columns
+    }
+
+    /// Length of the vectors.
+    pub(super) fn rows(&self) -> usize {
+        self.rows
     }
 
     /// Number of vectors.
@@ -56,11 +63,11 @@ impl Columns {
         products
     }
 
-    /// Subtracts X W, with a column of W for each vector.
-    pub(super) fn subtract(&mut self, other: &Self, weights: &DMatrix<f64>) {
+    /// Adds a multiple of X W, with a column of W for each vector.
+    pub(super) fn add(&mut self, other: &Self, weights: &DMatrix<f64>, factor: f64) {
         let (rows, count) = (self.rows, self.count());
         let target = MatMut::from_column_major_slice_mut(&mut self.entries, rows, count);
-        matmul(target, Accum::Add, other.as_matrix(), view(weights), -1.0, Par::Seq);
+        matmul(target, Accum::Add, other.as_matrix(), view(weights), factor, Par::Seq);
     }
 
     /// Computes the linear combinations X W of the first vectors, as many as W has rows.
@@ -74,6 +81,11 @@ impl Columns {
 
     /// Returns the vectors one by one.
     pub(super) fn vectors(&self) -> Vec<DVector<f64>> {
-        (0..self.count()).map(|k| DVector::from_column_slice(self.column(k))).collect()
+        self.range(0..self.count())
+    }
+
+    /// Returns some vectors one by one.
+    pub(super) fn range(&self, range: Range<usize>) -> Vec<DVector<f64>> {
+        range.map(|k| DVector::from_column_slice(self.column(k))).collect()
     }
 }

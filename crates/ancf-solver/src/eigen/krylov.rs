@@ -1,3 +1,5 @@
+use std::ops::Range;
+
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
 use super::columns::Columns;
@@ -14,6 +16,9 @@ pub(super) struct EigenSearch {
     pub(super) least: f64,
     /// Tolerance: converged when |T x − θ x| ≤ tolerance · |θ|, or at the rounding error of T.
     pub(super) tolerance: f64,
+    /// Number of vectors of a space above which it is restarted. The restart loses unrequested eigenvalues, which delays convergence if
+    /// they are the largest.
+    pub(super) capacity: usize,
 }
 
 /// Eigenpairs of the projected matrix, best first.
@@ -36,9 +41,10 @@ impl Ritz {
         self.order.len()
     }
 
-    /// Coefficients of the best `count` pairs.
-    fn weights(&self, count: usize) -> DMatrix<f64> {
-        DMatrix::from_fn(self.order.len(), count, |i, k| self.vectors[(i, self.order[k])])
+    /// Coefficients of pairs, the best of which is the first.
+    fn weights(&self, range: Range<usize>) -> DMatrix<f64> {
+        let first = range.start;
+        DMatrix::from_fn(self.order.len(), range.len(), |i, k| self.vectors[(i, self.order[first + k])])
     }
 }
 
@@ -50,8 +56,6 @@ const INDEFINITE: f64 = 1e-10;
 const ROUNDING: f64 = 10.0;
 /// Part of a vector that remains without a loss of orthogonality.
 const KEPT: f64 = 0.1;
-/// Number of vectors of a space before a restart: a multiple of the number of requested pairs, and a constant.
-const CAPACITY: (usize, usize) = (3, 30);
 
 /// Block Krylov space span(X, TX, T²X, ...) with a basis V that is orthonormal in the inner product, and T V = V H for the columns to
 /// which T was applied.
@@ -84,7 +88,6 @@ impl KrylovSpace {
         search: &EigenSearch,
         [least, most]: [usize; 2],
     ) -> Result<Ritz, EigenError> {
-        let capacity = CAPACITY.0 * search.count + CAPACITY.1;
         let mut depth = 0;
         loop {
             let first = self.columns.len();
@@ -99,21 +102,27 @@ impl KrylovSpace {
             if rest == 0 || depth >= most || (ritz.converged && depth >= least) {
                 return Ok(ritz);
             }
-            if self.columns.len() + 2 * rest > capacity {
-                self.restart(&ritz, search.count + (self.columns.len() - search.count) / 3);
+            if self.columns.len() + 2 * rest > search.capacity {
+                let others = self.columns.len().saturating_sub(search.count);
+                self.restart(&ritz, search.count + others / 3);
             }
         }
     }
 
     /// Computes the best `count` Ritz vectors.
     pub(super) fn vectors(&self, ritz: &Ritz, count: usize) -> Vec<DVector<f64>> {
-        self.basis.combined(&ritz.weights(count.min(ritz.count()))).vectors()
+        self.ritz_vectors(ritz, 0..count.min(ritz.count())).vectors()
+    }
+
+    /// Computes Ritz vectors, the best of which is the first.
+    pub(super) fn ritz_vectors(&self, ritz: &Ritz, range: Range<usize>) -> Columns {
+        self.basis.combined(&ritz.weights(range))
     }
 
     /// Replaces the vectors to which T was applied by the best Ritz vectors.
     fn restart(&mut self, ritz: &Ritz, kept: usize) {
         let (n, kept) = (self.columns.len(), kept.min(ritz.count()));
-        let weights = ritz.weights(kept);
+        let weights = ritz.weights(0..kept);
         let mut basis = self.basis.combined(&weights);
         (n..self.basis.count()).for_each(|k| basis.push(self.basis.column(k)));
         let column = |k: usize| {
@@ -133,12 +142,12 @@ impl KrylovSpace {
         op: &Operator<'_>,
         mut block: Columns,
     ) -> Result<Vec<Vec<f64>>, EigenError> {
-        let before = (0..block.count()).map(|k| self.size(op, block.column(k)));
+        let before = (0..block.count()).map(|k| checked_size(op, block.column(k)));
         let before: Vec<f64> = before.collect::<Result<_, _>>()?;
         let mut sum = DMatrix::zeros(self.basis.count(), block.count());
         for _ in 0..2 {
             let weights = self.basis.products(&images(op, &block));
-            block.subtract(&self.basis, &weights);
+            block.add(&self.basis, &weights, -1.0);
             sum += weights;
         }
         let known = self.basis.count();
@@ -146,26 +155,26 @@ impl KrylovSpace {
         for (k, before) in before.into_iter().enumerate() {
             let mut coefficients: Vec<f64> = sum.column(k).iter().copied().collect();
             let mut x = DVector::from_column_slice(block.column(k));
-            let mut size = self.size(op, x.as_slice())?;
+            let mut remainder = size(op, x.as_slice());
             // The vectors before it in the block, and all vectors after a loss of digits. The remaining loss is rounding error.
             let mut from = known;
             for _ in 0..3 {
-                if size <= DEPENDENT * before || from == self.basis.count() {
+                if remainder <= DEPENDENT * before || from == self.basis.count() {
                     break;
                 }
                 self.project(op, &mut x, from, &mut coefficients);
-                let kept = self.size(op, x.as_slice())? / size;
-                size *= kept;
+                let kept = size(op, x.as_slice()) / remainder;
+                remainder *= kept;
                 if kept > KEPT {
                     break;
                 }
                 from = 0;
             }
-            if size > DEPENDENT * before && self.basis.count() < self.limit {
-                x /= size;
+            if remainder > DEPENDENT * before && self.basis.count() < self.limit {
+                x /= remainder;
                 self.basis.push(x.as_slice());
                 coefficients.resize(self.basis.count() - 1, 0.0);
-                coefficients.push(size);
+                coefficients.push(remainder);
             }
             all.push(coefficients);
         }
@@ -182,18 +191,6 @@ impl KrylovSpace {
             x.iter_mut().zip(v).for_each(|(x, v)| *x -= dot * v);
             *sum += dot;
         }
-    }
-
-    /// Computes √(xᵀ B x).
-    fn size(&self, op: &Operator<'_>, x: &[f64]) -> Result<f64, EigenError> {
-        let square = op.inner.square(x);
-        if !square.is_finite() {
-            return Err(EigenError::Singular);
-        }
-        if square < 0.0 && square < -INDEFINITE * op.inner.magnitude(x) {
-            return Err(EigenError::Indefinite);
-        }
-        Ok(square.max(0.0).sqrt())
     }
 
     /// Returns entry (i, j) of H. It is zero if the basis vector was added after the column.
@@ -227,6 +224,23 @@ impl KrylovSpace {
         let converged = is_large && order[..requested].iter().all(small) && others.all(negligible);
         Ritz { values, vectors, order, largest, requested, converged }
     }
+}
+
+/// Computes √(xᵀ B x). The square of a small remainder may be a negative rounding error.
+fn size(op: &Operator<'_>, x: &[f64]) -> f64 {
+    op.inner.square(x).max(0.0).sqrt()
+}
+
+/// Computes √(xᵀ B x) and checks that the square is neither infinite nor negative.
+fn checked_size(op: &Operator<'_>, x: &[f64]) -> Result<f64, EigenError> {
+    let square = op.inner.square(x);
+    if !square.is_finite() {
+        return Err(EigenError::Singular);
+    }
+    if square < 0.0 && square < -INDEFINITE * op.inner.magnitude(x) {
+        return Err(EigenError::Indefinite);
+    }
+    Ok(square.max(0.0).sqrt())
 }
 
 /// Computes the eigenvalues and eigenvectors of a symmetric matrix, which may be empty.

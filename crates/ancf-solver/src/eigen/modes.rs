@@ -61,6 +61,8 @@ const TOLERANCE: f64 = 1e-8;
 const TOLERANCE_OF_ERROR: f64 = 1e-3;
 /// Number of vectors of a block, and of those that are added after a missed mode.
 const BLOCK: usize = 4;
+/// Number of vectors of a space before a restart: a multiple of the number of requested modes, and a constant.
+const CAPACITY: (usize, usize) = (3, 30);
 /// Number of vectors for the estimate of the spectrum: more than the six rigid modes of a free body.
 const ROUGH: usize = 8;
 /// Number of vectors for the estimate of the rounding error of the factors.
@@ -83,9 +85,10 @@ const NEGLIGIBLE: f64 = 1e-22;
 const MAX_FACTOR_ERROR: f64 = 0.1;
 /// Distance of the shift in errors of the factors.
 const SAFE: f64 = 10.0;
-/// Ratios of the distance of the shift to the best one beyond which it is changed.
+/// Distance of the shift from the lowest ω², relative to the best one, below which it is changed.
 const NEAR: f64 = 1e-3;
-const FAR: f64 = 30.0;
+/// Error of the factors up to which a shift next to zero is better than a distant one.
+const ACCURATE_FACTORS: f64 = 1e-6;
 
 /// Computes the `count` lowest modes K x + Φ_qᵀ μ = ω² M x, Φ_q x = 0 about a state, or fewer if there are no more.
 ///
@@ -126,23 +129,22 @@ pub fn modes(
     let mut shift = -f64::EPSILON * highest;
     for pass in 0..PASSES {
         let search = ShiftedSearch::new(&mut pencil, shift, [count, degrees], pass);
-        let found = match search.and_then(|(mut search, better)| {
+        let found = search.and_then(|(mut search, better)| {
             shift = search.shift;
-            match better {
-                Some(better) if pass + 1 < PASSES => Ok(Err(better)),
-                _ => search.complete(&mut pencil).map(Ok),
+            match better.filter(|_| pass + 1 < PASSES) {
+                Some(better) => Ok(Err(better)),
+                None => search.complete(&mut pencil).map(Ok),
             }
-        }) {
+        });
+        let found = match found {
             Ok(Ok(found)) => found,
             Ok(Err(better)) => {
                 shift = better;
                 continue;
             }
-            Err(EigenError::Interrupted) => return Err(EigenError::Interrupted),
-            Err(EigenError::Indefinite) => return Err(EigenError::Indefinite),
+            Err(error @ (EigenError::Interrupted | EigenError::Indefinite)) => return Err(error),
             Err(error) => {
-                failure = error;
-                shift = farther(shift);
+                (failure, shift) = (error, farther(shift));
                 continue;
             }
         };
@@ -180,7 +182,8 @@ impl ShiftedSearch {
         pass: usize,
     ) -> Result<(Self, Option<f64>), EigenError> {
         let shift = pencil.factorise(shift)?;
-        let search = EigenSearch { count, key: |theta| theta, least: 0.0, tolerance: TOLERANCE };
+        let capacity = CAPACITY.0 * count + CAPACITY.1;
+        let search = EigenSearch { count, key: |theta| theta, least: 0.0, tolerance: TOLERANCE, capacity };
         let mut op = pencil.operator();
         let start = op.start(BLOCK, pass as u64)?;
         let mut space = KrylovSpace::new(&op, start, degrees)?;
@@ -191,7 +194,7 @@ impl ShiftedSearch {
     }
 
     /// Returns a shift below the lowest ω² at the distance of the smallest nonzero |ω²|, or of a multiple of the rounding error of
-    /// the factors if that is larger; `None` if the shift is similar.
+    /// the factors if that is larger; `None` if the shift is farther, or if neither the factors nor rigid modes require the distance.
     fn better_shift(&mut self, pencil: &mut Pencil<'_>, rough: &Ritz) -> Result<Option<f64>, EigenError> {
         let vectors = self.space.vectors(rough, ROUGH);
         let found = pencil.stiffness_products(&vectors);
@@ -217,10 +220,9 @@ impl ShiftedSearch {
         if relative > MAX_FACTOR_ERROR {
             return Ok(Some(lowest - SAFE * self.error.max(distance)));
         }
-        let best = SAFE * self.error;
-        let best = if nearest.is_finite() { best.max(nearest) } else { best.max(distance) };
-        let is_near = bottom - self.shift < NEAR * best;
-        Ok((is_near || distance > FAR * best).then_some(lowest - best))
+        let best = (SAFE * self.error).max(if nearest.is_finite() { nearest } else { 0.0 });
+        let is_near = relative > ACCURATE_FACTORS || bottom - self.shift < NEAR * best;
+        Ok((distance < best && is_near).then_some(lowest - best))
     }
 
     /// Enlarges the space until all modes are found.
@@ -266,8 +268,15 @@ impl ShiftedSearch {
     fn counted(&self, pencil: &mut Pencil<'_>, modes: EigenModes) -> Result<Option<EigenModes>, EigenError> {
         let squared: Vec<f64> = modes.modes.iter().map(|mode| mode.omega_squared).collect();
         let [relative, errors] = MIN_GAP;
-        let least = |k: usize| (relative * (squared[k] - self.shift)).max(errors * self.error);
-        let gap = (1..squared.len()).rev().find(|&k| squared[k] - squared[k - 1] > least(k));
+        let last_gap = |least: &dyn Fn(usize) -> f64| {
+            (1..squared.len()).rev().find(|&k| squared[k] - squared[k - 1] > least(k))
+        };
+        let wide = |k: usize| relative * (squared[k] - self.shift);
+        let gap = last_gap(&|k| wide(k).max(errors * self.error));
+        if gap.is_none() && last_gap(&wide).is_some() {
+            // All gaps are rounding errors of the factors.
+            return Ok(Some(modes));
+        }
         let (below, expected) = gap.map_or((self.shift, 0), |k| (0.5 * (squared[k - 1] + squared[k]), k));
         let Some(count) = pencil.count_below(below)? else { return Ok(Some(modes)) };
         let sturm = Some(SturmCount { below, count });

@@ -46,8 +46,10 @@ impl From<SingularMatrix> for EigenError {
 pub(super) struct Operator<'a> {
     /// Factors of S.
     pub(super) factor: &'a mut Factor,
-    /// Matrix S.
+    /// Matrix D S D, bordered by Φ_q D.
     pub(super) left: &'a SparseMatrix,
+    /// Diagonal of D, with ones for the multipliers.
+    pub(super) scales: &'a [f64],
     /// Matrix A.
     pub(super) right: &'a FullRows,
     /// Matrix B of the inner product.
@@ -102,7 +104,9 @@ impl Operator<'_> {
             return self.solve(r);
         }
         r.rows_mut(n, size - n).fill(0.0);
-        self.left.constraints().for_each(|(multiplier, c, entry)| r[multiplier] += entry * x[c]);
+        self.left
+            .constraints()
+            .for_each(|(multiplier, c, entry)| r[multiplier] += entry / self.scales[c] * x[c]);
         let mut first = None;
         if reactions.is_none() {
             let mut whole = r.clone();
@@ -110,7 +114,9 @@ impl Operator<'_> {
             first = Some(whole);
         }
         if let Some(reactions) = reactions.or(first.as_ref()) {
-            self.left.constraints().for_each(|(multiplier, c, entry)| r[c] -= entry * reactions[multiplier]);
+            self.left
+                .constraints()
+                .for_each(|(multiplier, c, entry)| r[c] -= entry / self.scales[c] * reactions[multiplier]);
         }
         self.solve_whole(&mut r)?;
         r.rows_mut(n, size - n).fill(0.0);
@@ -125,7 +131,9 @@ impl Operator<'_> {
             return Err(EigenError::Interrupted);
         }
         if f.iter().any(|&x| x != 0.0) {
+            f.iter_mut().zip(self.scales).for_each(|(f, scale)| *f *= scale);
             self.factor.solve_increment(self.left, f.as_mut_slice(), &[])?;
+            f.iter_mut().zip(self.scales).for_each(|(x, scale)| *x *= scale);
         }
         Ok(())
     }

@@ -1,5 +1,6 @@
 use nalgebra::DVector;
 
+use super::columns::Columns;
 use super::full_rows::FullRows;
 use super::operator::{EigenError, Operator};
 use crate::equations::{EquationsOfMotion, State, StiffnessProducts, Weights};
@@ -15,6 +16,10 @@ pub(super) struct Pencil<'a> {
     eom: &'a dyn EquationsOfMotion,
     s: &'a State,
     mass: FullRows,
+    /// Inverse roots of the masses, with ones for the multipliers. Coordinates and slopes have entries of one unit with them, so that
+    /// pivots can be compared.
+    scales: Vec<f64>,
+    /// K − σM with these scales.
     shifted: SparseMatrix,
     factor: Factor,
     highest: f64,
@@ -37,7 +42,8 @@ impl<'a> Pencil<'a> {
         };
         let highest = (0..eom.coordinates()).map(ratio).fold(0.0, f64::max);
         let factor = Factor::new(matrix.pattern())?;
-        Ok(Self { eom, s, mass, shifted: matrix, factor, highest, interrupt })
+        let scales = scales(&mass, eom.coordinates());
+        Ok(Self { eom, s, mass, scales, shifted: matrix, factor, highest, interrupt })
     }
 
     /// Estimates the highest ω² by the largest K_ii / M_ii. Returns one without stiffness.
@@ -52,8 +58,7 @@ impl<'a> Pencil<'a> {
     pub(super) fn factorise(&mut self, mut shift: f64) -> Result<f64, EigenError> {
         // 4¹⁰⁰ exceeds any spectrum.
         for trial in 0..100 {
-            self.eom.tangent(self.s, Weights { q: 1.0, v: 0.0, a: -shift }, &mut self.shifted);
-            self.factor.factorise(&self.shifted)?;
+            self.factorise_at(shift)?;
             match self.factor.negative_pivots() {
                 None if trial < TRIALS => shift *= 4.0,
                 Some(negative) if negative > self.eom.multipliers() => shift *= 4.0,
@@ -63,10 +68,16 @@ impl<'a> Pencil<'a> {
         Err(EigenError::Singular)
     }
 
+    fn factorise_at(&mut self, shift: f64) -> Result<(), EigenError> {
+        self.eom.tangent(self.s, Weights { q: 1.0, v: 0.0, a: -shift }, &mut self.shifted);
+        self.shifted.scale(&self.scales);
+        Ok(self.factor.factorise(&self.shifted)?)
+    }
+
     pub(super) fn operator(&mut self) -> Operator<'_> {
-        let Self { eom, mass, shifted, factor, interrupt, .. } = self;
+        let Self { eom, mass, scales, shifted, factor, interrupt, .. } = self;
         let coordinates = eom.coordinates();
-        Operator { factor, left: shifted, right: mass, inner: mass, coordinates, interrupt }
+        Operator { factor, left: shifted, scales, right: mass, inner: mass, coordinates, interrupt }
     }
 
     /// Computes K X and the diagonal of Xᵀ K X term by term.
@@ -77,6 +88,13 @@ impl<'a> Pencil<'a> {
     /// Computes M x.
     pub(super) fn mass_times(&self, x: &DVector<f64>) -> DVector<f64> {
         DVector::from(self.mass.times(x.as_slice()))
+    }
+
+    /// Computes M X.
+    pub(super) fn images(&self, x: &[DVector<f64>]) -> Columns {
+        let mut images = Columns::new(self.mass.diagonal().len());
+        x.iter().for_each(|x| images.push(&self.mass.times(x.as_slice())));
+        images
     }
 
     /// Number of coordinates.
@@ -97,8 +115,7 @@ impl<'a> Pencil<'a> {
 
     /// Counts the ω² below a value by the negative eigenvalues of K − value · M. Returns `None` without LDLᵀ factors.
     pub(super) fn count_below(&mut self, value: f64) -> Result<Option<usize>, EigenError> {
-        self.eom.tangent(self.s, Weights { q: 1.0, v: 0.0, a: -value }, &mut self.shifted);
-        self.factor.factorise(&self.shifted)?;
+        self.factorise_at(value)?;
         let multipliers = self.eom.multipliers();
         Ok(self.factor.negative_pivots().map(|negative| negative.saturating_sub(multipliers)))
     }
@@ -117,4 +134,15 @@ impl<'a> Pencil<'a> {
         let first = own.iter().position(|size| *size >= (1.0 - 1e-6) * largest);
         first.map_or(1.0, |i| x[i].signum())
     }
+}
+
+/// Returns the inverse roots of the masses of the coordinates, the largest one for those without mass, and ones for the multipliers.
+fn scales(mass: &FullRows, coordinates: usize) -> Vec<f64> {
+    let inverse = |mass: &f64| if *mass > 0.0 { mass.sqrt().recip() } else { 0.0 };
+    let mut scales: Vec<f64> = mass.diagonal().iter().map(inverse).collect();
+    let largest = scales.iter().copied().fold(0.0, f64::max);
+    let of_massless = if largest > 0.0 { largest } else { 1.0 };
+    scales.iter_mut().filter(|scale| **scale == 0.0).for_each(|scale| *scale = of_massless);
+    scales[coordinates..].fill(1.0);
+    scales
 }

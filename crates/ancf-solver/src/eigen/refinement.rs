@@ -46,17 +46,14 @@ impl Refinement {
         shift: f64,
     ) -> Result<Self, EigenError> {
         let mut best = Self::first(pencil, space.vectors(ritz, count), shift)?;
-        let mut others = OtherVectors { vectors: Vec::new(), products: Vec::new() };
-        if best.largest() > SMALL {
-            let mut rest = space.vectors(ritz, ritz.count());
-            others = OtherVectors::new(pencil, rest.split_off(count));
-        }
+        let known = if best.largest() > SMALL { ritz.count() } else { count };
+        let others = OtherVectors::new(pencil, space.ritz_vectors(ritz, count..known));
         for _ in 0..CORRECTIONS {
             if best.largest() <= ACCURATE {
                 break;
             }
-            let corrected = best.vectors.iter().zip(&best.corrections).map(|(x, z)| x - z).collect();
-            let Some(vectors) = others.ritz(pencil, corrected) else { break };
+            let corrected: Vec<_> = best.vectors.iter().zip(&best.corrections).map(|(x, z)| x - z).collect();
+            let Some(vectors) = others.ritz(pencil, &corrected) else { break };
             let next = Self::measure(pencil, vectors, &[], shift)?;
             let progress = next.largest() <= PROGRESS * best.largest();
             if next.largest() < best.largest() {
@@ -127,34 +124,52 @@ impl Refinement {
     }
 }
 
-/// Vectors of a space besides those of the modes, and their products with K.
+/// Vectors Y of a space besides those of the modes, with Yᵀ K Y and Yᵀ M Y.
 struct OtherVectors {
-    vectors: Vec<DVector<f64>>,
-    products: Vec<DVector<f64>>,
+    vectors: Columns,
+    forms: DMatrix<f64>,
+    gram: DMatrix<f64>,
 }
 
+/// Number of vectors of a product with K, which limits the storage.
+const CHUNK: usize = 8;
+
 impl OtherVectors {
-    fn new(pencil: &Pencil<'_>, vectors: Vec<DVector<f64>>) -> Self {
-        let products = pencil.stiffness_products(&vectors).products;
-        Self { vectors, products }
+    fn new(pencil: &Pencil<'_>, vectors: Columns) -> Self {
+        let (count, rows) = (vectors.count(), vectors.rows());
+        let [mut forms, mut gram] = [DMatrix::zeros(count, count), DMatrix::zeros(count, count)];
+        for first in (0..count).step_by(CHUNK) {
+            let chunk = vectors.range(first..count.min(first + CHUNK));
+            let products = Columns::of(rows, &pencil.stiffness_products(&chunk).products);
+            forms.columns_mut(first, chunk.len()).copy_from(&vectors.products(&products));
+            gram.columns_mut(first, chunk.len()).copy_from(&vectors.products(&pencil.images(&chunk)));
+        }
+        Self { vectors, forms, gram }
     }
 
-    /// Returns the Ritz vectors of the span of these and other vectors with the lowest Ritz values, as many as the latter.
-    fn ritz(&self, pencil: &Pencil<'_>, mut vectors: Vec<DVector<f64>>) -> Option<Vec<DVector<f64>>> {
-        let count = vectors.len();
-        let mut products = pencil.stiffness_products(&vectors).products;
-        vectors.extend_from_slice(&self.vectors);
-        products.extend_from_slice(&self.products);
-        let images: Vec<_> = vectors.iter().map(|x| pencil.mass_times(x)).collect();
-        let rows = vectors[0].len();
-        let [vectors, products, images] = [vectors, products, images].map(|x| Columns::of(rows, &x));
-        let (forms, gram) = (vectors.products(&products), vectors.products(&images));
-        let symmetric = |x: DMatrix<f64>| 0.5 * (&x + x.transpose());
-        let (values, weights) = projected(&symmetric(forms), &symmetric(gram))?;
+    /// Returns the Ritz vectors of the span of these and other vectors X with the lowest Ritz values, as many as X.
+    fn ritz(&self, pencil: &Pencil<'_>, vectors: &[DVector<f64>]) -> Option<Vec<DVector<f64>>> {
+        let (count, rows) = (vectors.len(), self.vectors.rows());
+        let products = Columns::of(rows, &pencil.stiffness_products(vectors).products);
+        let (images, vectors) = (pencil.images(vectors), Columns::of(rows, vectors));
+        let bordered = |right: &Columns, own: &DMatrix<f64>| {
+            let (first, mixed) = (vectors.products(right), self.vectors.products(right));
+            let entry = |i: usize, j: usize| match (i.checked_sub(count), j.checked_sub(count)) {
+                (None, None) => 0.5 * (first[(i, j)] + first[(j, i)]),
+                (Some(i), None) => mixed[(i, j)],
+                (None, Some(j)) => mixed[(j, i)],
+                (Some(i), Some(j)) => 0.5 * (own[(i, j)] + own[(j, i)]),
+            };
+            DMatrix::from_fn(count + own.nrows(), count + own.nrows(), entry)
+        };
+        let (values, weights) = projected(&bordered(&products, &self.forms), &bordered(&images, &self.gram))?;
         let mut order: Vec<usize> = (0..values.len()).collect();
         order.sort_by(|&a, &b| values[a].total_cmp(&values[b]));
-        let lowest = DMatrix::from_fn(values.len(), count, |i, k| weights[(i, order[k])]);
-        Some(vectors.combined(&lowest).vectors())
+        let part =
+            |from: usize, rows: usize| DMatrix::from_fn(rows, count, |i, k| weights[(from + i, order[k])]);
+        let mut sum = vectors.combined(&part(0, count));
+        sum.add(&self.vectors, &part(count, self.vectors.count()), 1.0);
+        Some(sum.range(0..count))
     }
 }
 

@@ -14,7 +14,7 @@ const DIFFERENCE: f64 = 1e-7;
 /// Number of Gauss points within an element.
 const GAUSS: usize = 5;
 /// Number of sections of a body with a work each.
-const SECTIONS: usize = 128;
+const SECTIONS: usize = 64;
 /// Relative difference between the sums over every second section up to which they agree.
 const SAMPLING: f64 = 0.1;
 /// Difference of the sums, relative to ω², that has no effect on the estimate: the size of its rounding errors on fine meshes.

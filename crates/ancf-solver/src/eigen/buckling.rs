@@ -196,15 +196,8 @@ impl BucklingPencil<'_> {
     /// Operator T = −K₀⁻¹ K_g.
     fn operator(&mut self) -> Operator<'_> {
         let Self { eom, stiffness, rows: [softening, inner], scales, factor, interrupt, .. } = self;
-        Operator {
-            factor,
-            left: stiffness,
-            scales,
-            right: softening,
-            inner,
-            coordinates: eom.coordinates(),
-            interrupt,
-        }
+        let coordinates = eom.coordinates();
+        Operator { factor, left: stiffness, scales, right: softening, inner, coordinates, interrupt }
     }
 
     /// Factorises K₀ again.

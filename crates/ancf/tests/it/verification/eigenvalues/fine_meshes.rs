@@ -105,31 +105,3 @@ fn free_beams_have_six_rigid_motions_each() {
     // Timoshenko's corrections are of the order of (r β)², r² = d²/12.
     assert_near("Euler's frequency", omega[12] / FREE[0].powi(2), 1.0, 1e-3);
 }
-
-#[test]
-#[ignore]
-fn temporary() {
-    for elements in [1000, 5000, 20_000, 100_000] {
-        let model = cable(elements, [1.0, 0.0, 0.0], clamp());
-        let assembly = model.assemble().unwrap();
-        let start = std::time::Instant::now();
-        let found =
-            modes(&assembly.system, assembly.system.matrix(), &assembly.rest(), 10, &Interrupt::default());
-        let time = start.elapsed();
-        match found {
-            Ok(found) => {
-                let errors: Vec<f64> = relative(&model, &found)
-                    .chunks(2)
-                    .zip(CANTILEVER)
-                    .map(|(pair, beta)| pair[0] / beta.powi(2) - 1.0)
-                    .collect();
-                let residuals: Vec<f64> = found.modes.iter().map(|mode| mode.residual).collect();
-                println!(
-                    "{elements}: {time:?} errors {errors:?} residuals {residuals:?} sturm {:?}",
-                    found.sturm
-                );
-            }
-            Err(error) => println!("{elements}: {time:?} {error}"),
-        }
-    }
-}

@@ -28,6 +28,9 @@ pub(crate) trait MeshElement: Term + BatchElements + Clone + fmt::Debug + 'stati
 
     /// Returns ∫ ρ S_i dV for each vector.
     fn first_moments(&self) -> &[f64];
+
+    /// Returns the entry M_ab = ∫ ρ S_a S_b dV of the compact mass matrix.
+    fn mass(&self, a: usize, b: usize) -> f64;
 }
 
 impl MeshElement for Beam24 {
@@ -46,6 +49,10 @@ impl MeshElement for Beam24 {
     fn first_moments(&self) -> &[f64] {
         self.profile().first_moments()
     }
+
+    fn mass(&self, a: usize, b: usize) -> f64 {
+        self.profile().mass()[a][b]
+    }
 }
 
 impl MeshElement for Beam27 {
@@ -62,6 +69,10 @@ impl MeshElement for Beam27 {
 
     fn first_moments(&self) -> &[f64] {
         self.profile().first_moments()
+    }
+
+    fn mass(&self, a: usize, b: usize) -> f64 {
+        self.profile().mass()[a][b]
     }
 }
 
@@ -82,6 +93,10 @@ impl MeshElement for Cable12 {
 
     fn first_moments(&self) -> &[f64] {
         self.profile().first_moments()
+    }
+
+    fn mass(&self, a: usize, b: usize) -> f64 {
+        self.profile().mass()[a][b]
     }
 }
 
@@ -109,6 +124,9 @@ pub(crate) trait ElementList: fmt::Debug + Send + Sync {
 
     /// Returns ∫ ρ S_i dV of an element for each vector.
     fn first_moments(&self, element: usize) -> &[f64];
+
+    /// Returns the entry M_ab of the compact mass matrix of an element.
+    fn mass(&self, element: usize, a: usize, b: usize) -> f64;
 
     /// Returns the kinds of the vectors of a node.
     fn node(&self) -> &'static [VectorKind];
@@ -143,6 +161,10 @@ impl<E: MeshElement> ElementList for Vec<E> {
 
     fn first_moments(&self, element: usize) -> &[f64] {
         self[element].first_moments()
+    }
+
+    fn mass(&self, element: usize, a: usize, b: usize) -> f64 {
+        self[element].mass(a, b)
     }
 
     fn node(&self) -> &'static [VectorKind] {

@@ -46,7 +46,8 @@ impl IndexedModel<'_> {
                 RecordedQuantity { name, quantity, place, body, s, offset }
             })
         });
-        let (recorded_quantities, Output { energy_parts, errors, .. }) = (recorded.collect(), self.output);
+        let (recorded_quantities, Output { energy_parts, momentum, errors, .. }) =
+            (recorded.collect(), self.output);
         let [coordinates, multipliers] = Self::numbers(&bodies, &joints);
         let multipliers = multipliers + self.couplings.len();
         let system = System::new(coordinates, multipliers, terms).with_batches(batches);
@@ -58,6 +59,7 @@ impl IndexedModel<'_> {
             probes,
             recorded_quantities,
             energy_parts,
+            momentum,
             errors,
             bodies,
             joints,

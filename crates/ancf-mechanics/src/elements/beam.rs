@@ -2,7 +2,7 @@ use std::marker::PhantomData;
 use std::sync::Arc;
 
 use ancf_solver::equations::{
-    Energy, Inadmissibility, Local, LocalMatrix, LocalStep, Term, Weights, velocity_forces,
+    Energy, Inadmissibility, Local, LocalMatrix, LocalStep, ProductColumn, Term, Weights, velocity_forces,
 };
 use nalgebra::{Matrix3, Vector3};
 
@@ -124,7 +124,7 @@ impl<const N: usize, S: Interpolation<N>> BeamElement<N, S> {
     }
 
     /// Returns the velocities of the vectors if the element has viscosity.
-    fn moving(&self, at: &Local<'_>) -> Option<RelativeVectors<N>> {
+    pub(super) fn moving(&self, at: &Local<'_>) -> Option<RelativeVectors<N>> {
         let viscous = self.profile.stations.iter().any(|station| station.viscosity.is_some());
         viscous.then(|| RelativeVectors::new::<S>(&vectors(at.v)))
     }
@@ -140,8 +140,8 @@ impl<const N: usize, S: Interpolation<N> + Send + Sync> Term for BeamElement<N, 
         &self.coordinates
     }
 
-    fn positions(&self) -> &[usize] {
-        S::POSITIONS
+    fn stiffness_products(&self, at: &Local<'_>, columns: &mut [ProductColumn]) {
+        self.add_stiffness_products(at, columns);
     }
 
     fn residual(&self, at: &Local<'_>, r: &mut [f64]) {

@@ -1,7 +1,7 @@
 use std::sync::Arc;
 
 use ancf_solver::equations::{
-    Energy, Inadmissibility, Local, LocalMatrix, LocalStep, Term, Weights, velocity_forces,
+    Energy, Inadmissibility, Local, LocalMatrix, LocalStep, ProductColumn, Term, Weights, velocity_forces,
 };
 use nalgebra::{Matrix3, Vector3};
 
@@ -134,8 +134,8 @@ impl Term for Cable12 {
         &self.coordinates
     }
 
-    fn positions(&self) -> &[usize] {
-        &[0, 6]
+    fn stiffness_products(&self, at: &Local<'_>, columns: &mut [ProductColumn]) {
+        self.add_stiffness_products(at, columns);
     }
 
     fn residual(&self, at: &Local<'_>, r: &mut [f64]) {
@@ -312,7 +312,7 @@ fn add_bending(station: &CableStation, h: &BendBlocks, blocks: &mut [[Matrix3<f6
 impl Cable12 {
     /// Computes the tangent of N t with respect to a: w_q (EA t tᵀ + N ∂²ε/∂a²) + w_v EA τ t tᵀ, without w_q EA τ t ȧᵀ
     /// ∂t/∂a.
-    fn axial_stiffness(
+    pub(super) fn axial_stiffness(
         &self,
         station: &CableStation,
         q: &[Vector3<f64>; 4],
@@ -326,7 +326,7 @@ impl Cable12 {
     }
 
     /// Computes the tangent of EI Lᵀ(β + τβ°) with respect to (a, b), without w_q EI τ Lᵀ ∂β°/∂(a, b).
-    fn bending_stiffness(
+    pub(super) fn bending_stiffness(
         &self,
         station: &CableStation,
         q: &[Vector3<f64>; 4],

@@ -2,11 +2,13 @@
 
 mod beam;
 mod cable;
+mod cable_products;
 mod cable_profile;
 mod cable_step;
 mod profile;
 mod rigid;
 mod station;
+mod station_products;
 mod station_step;
 
 pub use beam::{Beam24, Beam27, BeamElement, Profile};

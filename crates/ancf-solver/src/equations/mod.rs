@@ -21,7 +21,7 @@ pub use stiffness_products::StiffnessProducts;
 pub use system::System;
 pub use term_sums::Rotation;
 pub use terms::{
-    Energy, Inadmissibility, LOCAL, Level, Local, LocalMatrix, LocalStep, Power, State, StepStates, Term,
-    Weights, correct_work, discrete_residual, load_power, middle_residual, quadratic_constraints,
-    velocity_forces,
+    Energy, Inadmissibility, LOCAL, Level, Local, LocalMatrix, LocalStep, Power, ProductColumn, State,
+    StepStates, Term, Weights, correct_work, discrete_residual, load_power, middle_residual,
+    quadratic_constraints, velocity_forces,
 };

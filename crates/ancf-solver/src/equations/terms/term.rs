@@ -2,6 +2,7 @@ use std::ops::Range;
 
 use super::energy::{Energy, Level, Power};
 use super::local::{LOCAL, Local, LocalMatrix, LocalStep};
+use super::product_column::ProductColumn;
 use super::state::{Inadmissibility, Weights};
 
 /// Local contribution to the equations of motion, such as an element, one equation of a joint or a load.
@@ -54,12 +55,16 @@ pub trait Term: Send + Sync {
     /// Adds the lower triangle of the tangent.
     fn tangent(&self, at: &Local<'_>, w: Weights, k: &mut LocalMatrix<'_>);
 
-    /// Returns the first coordinate, in local order, of each position vector.
+    /// Adds the products of the stiffness ∂(f + Φ_qᵀ λ)/∂q with columns, and bounds of their rounding errors.
     ///
-    /// A common translation of these vectors must not change the elastic forces. Products with the stiffness use this to
-    /// avoid cancellation.
-    fn positions(&self) -> &[usize] {
-        &[]
+    /// By default these are products with the tangent. The entries of a bending element of length h grow as 1/h³, its share of
+    /// xᵀ K x as h, so that the rounding error of the default is ε (L/h)⁴ relative to the lowest ω². Elements override this method
+    /// by products with the strains of x, which are free of cancellation.
+    fn stiffness_products(&self, at: &Local<'_>, columns: &mut [ProductColumn]) {
+        let mut storage = [0.0; LOCAL * (LOCAL + 1) / 2];
+        let mut k = LocalMatrix::zero(at.q.len() + at.lambda.len(), &mut storage);
+        self.tangent(at, Weights::STIFFNESS, &mut k);
+        columns.iter_mut().for_each(|column| column.add_matrix(&k, at.q.len()));
     }
 
     /// Adds the residual of a step of the energy-momentum scheme: forces of the step, and the constraints at its end.

@@ -6,6 +6,8 @@ use ancf_solver::equations::{
 };
 use nalgebra::{Matrix3, Vector3};
 
+use super::bilinear_row::BilinearRow;
+use super::constraint_group::GroupedConstraint;
 use crate::kinematics::{BodyVector, Marker};
 
 /// Force and moment.
@@ -125,6 +127,29 @@ impl CoincidenceConstraint {
         } else {
             Wrench { force, ..Wrench::default() }
         }
+    }
+}
+
+impl CoincidenceConstraint {
+    /// Returns the constraint as a part of a group, if both vectors are linear in the coordinates.
+    pub fn grouped(&self) -> Option<GroupedConstraint> {
+        let parts = [(self.a.marker()?, 1.0), (self.b.marker()?, -1.0)];
+        let row = |k: usize| {
+            let mut linear: Vec<(usize, f64)> = Vec::new();
+            for (first, w) in parts
+                .iter()
+                .flat_map(|(marker, sign)| marker.parts().iter().map(move |&(c, w)| (c, sign * w)))
+            {
+                // Points of one body share vectors.
+                match linear.iter_mut().find(|(c, _)| *c == first + k) {
+                    Some((_, sum)) => *sum += w,
+                    None => linear.push((first + k, w)),
+                }
+            }
+            let offset = if self.by_load { [0.0, self.gap[k]] } else { [self.gap[k], 0.0] };
+            BilinearRow { linear, offset, ..BilinearRow::default() }
+        };
+        Some(GroupedConstraint::new(self.clone(), (0..3).map(row).collect()))
     }
 }
 
@@ -251,6 +276,13 @@ impl ConstantAngle {
     pub fn reaction(&self, s: &State) -> Wrench {
         let [a, b] = self.global.each_ref().map(|marker| marker.value(s));
         Wrench { moment: a.cross(&(b * -s.lambda[self.multiplier])), ..Wrench::default() }
+    }
+
+    /// Returns the constraint as a part of a group.
+    pub fn grouped(&self) -> GroupedConstraint {
+        let product = (1.0, [self.a.clone(), self.b.clone()]);
+        let row = BilinearRow { products: vec![product], ..BilinearRow::default() };
+        GroupedConstraint::new(self.clone(), vec![row])
     }
 
     fn values(&self, q: &[f64]) -> [Vector3<f64>; 2] {

@@ -7,6 +7,7 @@ use ancf_solver::equations::{
 
 use super::bilinear_measure::BilinearMeasure;
 use super::coincidence::Wrench;
+use super::constraint_group::GroupedConstraint;
 use super::measure_target::MeasureTarget;
 
 /// Equation that prescribes the value of a measure. Joints, drives and couplings consist of such equations.
@@ -61,6 +62,13 @@ impl MeasureConstraint {
     /// Defines the change of a measure as a massless coordinate: Φ = g(q) − g₀ − q_c.
     pub fn defining(coordinate: usize, measure: BilinearMeasure, multiplier: usize) -> Self {
         Self { massless: vec![coordinate], ..Self::new(measure.plus(coordinate, -1.0), multiplier) }
+    }
+
+    /// Returns the constraint as a part of a group, if it keeps a quadratic measure at its reference value in all states.
+    pub fn grouped(&self) -> Option<GroupedConstraint> {
+        let is_plain = self.positive.is_none() && self.massless.is_empty() && self.target.is_none();
+        let row = self.measure.row().filter(|_| is_plain)?;
+        Some(GroupedConstraint::new(self.clone(), vec![row]))
     }
 
     /// Returns the contribution to the joint reaction on the first body.

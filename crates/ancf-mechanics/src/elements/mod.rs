@@ -6,6 +6,7 @@ mod cable_profile;
 mod cable_step;
 mod profile;
 mod rigid;
+mod rigid_term;
 mod station;
 mod station_step;
 
@@ -16,4 +17,5 @@ pub(crate) use cable_profile::CableStation;
 pub use cable_profile::{CableDamping, CableProfile, CableRule, CableSection};
 pub use profile::{BeamMaterial, TwoNodeLaw};
 pub use rigid::{RigidBody, is_physical_inertia};
+pub(crate) use rigid_term::RigidTerm;
 pub use station::{BeamStation, StationLaw, StrainEnergy};

@@ -1,10 +1,11 @@
+use std::any::Any;
 use std::ops::Range;
 
 use super::energy::{Energy, Level, Power};
 use super::local::{LOCAL, Local, LocalMatrix, LocalStep};
 use super::state::{Inadmissibility, Weights};
 
-/// Local contribution to the equations of motion, such as an element, one equation of a joint or a load.
+/// Local contribution to the equations of motion, such as an element, the equations of a joint or a load.
 ///
 /// A term is immutable. Its contribution depends only on its own coordinates and multipliers. The test `tests/laws.rs`
 /// checks the consistency of every term: tangent = ∂residual, residual = ∂energy.
@@ -36,7 +37,7 @@ use super::state::{Inadmissibility, Weights};
 ///     }
 /// }
 /// ```
-pub trait Term: Send + Sync {
+pub trait Term: Any + Send + Sync {
     /// Returns the coordinates of the term without repetition.
     fn coordinates(&self) -> &[usize];
 

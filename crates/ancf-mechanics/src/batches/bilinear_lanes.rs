@@ -56,7 +56,7 @@ struct LinearLanes {
 
 impl BilinearLanes {
     /// Creates the rows of terms with a number of coordinates, and adds the entries of their tangents.
-    pub fn new(coordinates: usize, terms: &[&[BilinearRow]], entries: &mut EntryList) -> Self {
+    pub fn new(coordinates: usize, terms: &[Vec<BilinearRow>], entries: &mut EntryList) -> Self {
         let row = |k: usize| {
             let rows: Vec<&BilinearRow> = terms.iter().map(|rows| &rows[k]).collect();
             RowLanes::new(coordinates + k, &rows, entries)

@@ -1,4 +1,12 @@
+use ancf_solver::equations::Term;
+
 use crate::kinematics::Marker;
+
+/// Constraint that is at most quadratic in the coordinates and does not depend on time.
+pub(crate) trait QuadraticConstraint: Term {
+    /// Returns the rows over the coordinates of the constraint, one for each multiplier. `None` if it is not quadratic.
+    fn rows(&self) -> Option<Vec<BilinearRow>>;
+}
 
 /// Equation between vectors that are linear in the coordinates of a term, for the evaluation of several terms side by side:
 ///
@@ -26,6 +34,12 @@ impl BilinearRow {
             linear: self.linear.iter().map(|&(c, k)| (places[c], k)).collect(),
             offset: self.offset,
         }
+    }
+
+    /// Returns the coordinates with entries in the row, with repetitions.
+    pub(super) fn coordinates(&self) -> impl Iterator<Item = usize> {
+        let vectors = self.products.iter().flat_map(|(_, vectors)| vectors).flat_map(Marker::coordinates);
+        vectors.chain(self.linear.iter().map(|(c, _)| *c))
     }
 
     /// Returns the numbers that terms must have in common to be evaluated side by side: the coordinates of all vectors.

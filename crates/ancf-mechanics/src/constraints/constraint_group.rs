@@ -2,7 +2,7 @@ use std::ops::Range;
 
 use ancf_solver::equations::{LOCAL, Local, LocalMatrix, MAX_UNKNOWNS, Term, Weights};
 
-use super::bilinear_row::BilinearRow;
+use super::bilinear_row::{BilinearRow, QuadraticConstraint};
 
 /// Constraints of a joint or a rigid body as one term: one gather, one scatter, and one lane of a batch.
 ///
@@ -12,20 +12,14 @@ pub struct ConstraintGroup {
     coordinates: Vec<usize>,
     multipliers: Range<usize>,
     parts: Vec<Part>,
-    /// Rows over the coordinates of the group.
-    rows: Vec<BilinearRow>,
 }
 
 /// Constraint that can belong to a group.
-pub struct GroupedConstraint {
-    term: Box<dyn Term>,
-    /// Rows over the coordinates of the constraint.
-    rows: Vec<BilinearRow>,
-}
+pub struct GroupedConstraint(Box<dyn QuadraticConstraint>);
 
 /// Constraint in a group: the places of its coordinates and of its first multiplier.
 struct Part {
-    term: Box<dyn Term>,
+    term: Box<dyn QuadraticConstraint>,
     places: Vec<usize>,
     first: usize,
 }
@@ -40,14 +34,14 @@ impl std::fmt::Debug for ConstraintGroup {
 
 impl std::fmt::Debug for GroupedConstraint {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("GroupedConstraint").field("rows", &self.rows).finish_non_exhaustive()
+        f.debug_struct("GroupedConstraint").field("rows", &self.0.rows()).finish_non_exhaustive()
     }
 }
 
 impl GroupedConstraint {
-    /// Creates a constraint with its rows over its own coordinates.
-    pub(super) fn new(term: impl Term, rows: Vec<BilinearRow>) -> Self {
-        Self { term: Box::new(term), rows }
+    /// Copies a constraint, if it is quadratic.
+    pub(super) fn new(constraint: &(impl QuadraticConstraint + Clone)) -> Option<Self> {
+        constraint.rows().map(|_| Self(Box::new(constraint.clone())))
     }
 }
 
@@ -67,29 +61,31 @@ impl ConstraintGroup {
 
     /// Creates the group of some constraints with consecutive multipliers over sorted coordinates.
     pub(crate) fn over(coordinates: Vec<usize>, constraints: Vec<GroupedConstraint>) -> Self {
-        let first = constraints.first().map_or(0, |first| first.term.multipliers().start);
-        let last = constraints.last().map_or(0, |last| last.term.multipliers().end);
+        let first = constraints.first().map_or(0, |first| first.0.multipliers().start);
+        let last = constraints.last().map_or(0, |last| last.0.multipliers().end);
         let place = |c: &usize| {
             coordinates.binary_search(c).expect("the coordinates of a group contain those of its constraints")
         };
-        let (mut parts, mut rows) = (Vec::new(), Vec::new());
-        for GroupedConstraint { term, rows: own } in constraints {
-            let places: Vec<usize> = term.coordinates().iter().map(place).collect();
-            rows.extend(own.iter().map(|row| row.within(&places)));
-            parts.push(Part { first: term.multipliers().start - first, places, term });
-        }
-        Self { coordinates, multipliers: first..last, parts, rows }
+        let part = |GroupedConstraint(term): GroupedConstraint| {
+            let places = term.coordinates().iter().map(place).collect();
+            Part { first: term.multipliers().start - first, places, term }
+        };
+        Self { parts: constraints.into_iter().map(part).collect(), multipliers: first..last, coordinates }
     }
 
-    /// Returns the rows, one for each multiplier.
-    pub(crate) fn rows(&self) -> &[BilinearRow] {
-        &self.rows
+    /// Returns the rows over the coordinates of the group, one for each multiplier.
+    pub(crate) fn rows(&self) -> Vec<BilinearRow> {
+        let rows = |part: &Part| {
+            let own = part.term.rows().into_iter().flatten();
+            own.map(|row| row.within(&part.places)).collect::<Vec<_>>()
+        };
+        self.parts.iter().flat_map(rows).collect()
     }
 }
 
 /// True if a constraint can follow the last one of a group.
 fn can_follow(group: &[GroupedConstraint], next: &GroupedConstraint) -> bool {
-    let range = |of: &GroupedConstraint| of.term.multipliers();
+    let range = |of: &GroupedConstraint| of.0.multipliers();
     let [first, last] = [range(&group[0]), range(&group[group.len() - 1])];
     let size = union_coordinates(group, Some(next)).len() + range(next).end.saturating_sub(first.start);
     last.end == range(next).start && size <= MAX_UNKNOWNS
@@ -97,7 +93,7 @@ fn can_follow(group: &[GroupedConstraint], next: &GroupedConstraint) -> bool {
 
 /// Returns the sorted coordinates of some constraints.
 fn union_coordinates(group: &[GroupedConstraint], next: Option<&GroupedConstraint>) -> Vec<usize> {
-    let all = group.iter().chain(next).flat_map(|constraint| constraint.term.coordinates());
+    let all = group.iter().chain(next).flat_map(|constraint| constraint.0.coordinates());
     let mut coordinates: Vec<usize> = all.copied().collect();
     coordinates.sort_unstable();
     coordinates.dedup();
@@ -124,7 +120,7 @@ impl Part {
     /// Adds rows of the constraint to those of the group.
     fn add(&self, at: &Local<'_>, sum: &mut [f64], share: impl FnOnce(&dyn Term, &Local<'_>, &mut [f64])) {
         let (size, mut rows) = (self.size(), [0.0; LOCAL]);
-        self.evaluate(at, |own| share(&*self.term, own, &mut rows[..size]));
+        self.evaluate(at, |own| share(self.term.as_ref(), own, &mut rows[..size]));
         (0..size).for_each(|i| sum[self.place(i, at.q.len())] += rows[i]);
     }
 
@@ -149,6 +145,15 @@ impl Term for ConstraintGroup {
     fn constraint_name(&self, k: usize) -> String {
         let part = self.parts.iter().rfind(|part| part.first <= k);
         part.map_or_else(String::new, |part| part.term.constraint_name(k - part.first))
+    }
+
+    fn constraint_entries(&self) -> Vec<[usize; 2]> {
+        let rows = self.rows();
+        let entries = rows.iter().enumerate().flat_map(|(k, row)| row.coordinates().map(move |c| [k, c]));
+        let mut entries: Vec<[usize; 2]> = entries.collect();
+        entries.sort_unstable();
+        entries.dedup();
+        entries
     }
 
     fn residual(&self, at: &Local<'_>, r: &mut [f64]) {

@@ -101,7 +101,8 @@ impl RigidBody {
         let Some(euler) = &self.euler else { return Box::new(RigidTerm::point(first, mass, weight)) };
         let d = self.directors();
         let pairs = [(0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (2, 0)].into_iter().zip(self.multiplier..);
-        let rows = pairs.map(|((i, j), multiplier)| ConstantAngle::new(&d[i], &d[j], multiplier).grouped());
+        let rows =
+            pairs.filter_map(|((i, j), multiplier)| ConstantAngle::new(&d[i], &d[j], multiplier).grouped());
         Box::new(RigidTerm::new(first, (mass, euler), weight, rows.collect()))
     }
 

@@ -55,8 +55,8 @@ impl RigidTerm {
     }
 
     /// Returns the rows of the rigidity constraints.
-    pub(crate) fn rows(&self) -> &[BilinearRow] {
-        self.rigidity.as_ref().map_or(&[], ConstraintGroup::rows)
+    pub(crate) fn rows(&self) -> Vec<BilinearRow> {
+        self.rigidity.as_ref().map_or_else(Vec::new, ConstraintGroup::rows)
     }
 
     /// Calls `visit` with (i, j, M_ij) over the coordinates.
@@ -85,6 +85,10 @@ impl Term for RigidTerm {
 
     fn constraint_name(&self, k: usize) -> String {
         self.rigidity.as_ref().map_or_else(String::new, |rigidity| rigidity.constraint_name(k))
+    }
+
+    fn constraint_entries(&self) -> Vec<[usize; 2]> {
+        self.rigidity.as_ref().map_or_else(Vec::new, Term::constraint_entries)
     }
 
     fn residual(&self, at: &Local<'_>, r: &mut [f64]) {

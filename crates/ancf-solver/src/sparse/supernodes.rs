@@ -70,6 +70,27 @@ impl SupernodeShape {
     }
 }
 
+/// Evaluates an expression for a shape. Common shapes are repeated with constant sizes, so that loops have known lengths.
+///
+/// They are nodes of a beam (12 coordinates, 12 rows below), and rigid bodies with six rigidity constraints and three to six
+/// constraints of a joint (21 to 24 columns, 12 rows below).
+macro_rules! with_shape {
+    ($shape:ident = $of:expr, $evaluate:expr) => {
+        match $of {
+            $crate::sparse::SupernodeShape { columns: 12, height: 6 } => {
+                let $shape = $crate::sparse::SupernodeShape { columns: 12, height: 6 };
+                $evaluate
+            }
+            $crate::sparse::SupernodeShape { columns: columns @ 21..=24, height: 9 } => {
+                let $shape = $crate::sparse::SupernodeShape { columns, height: 9 };
+                $evaluate
+            }
+            $shape => $evaluate,
+        }
+    };
+}
+pub(crate) use with_shape;
+
 /// Block column of a matrix and its factor: neighbouring unknowns that are eliminated together.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Supernode {

@@ -102,6 +102,12 @@ pub trait Term: Any + Send + Sync {
         quadratic_constraints(self, at, level, phi);
     }
 
+    /// Returns the entries (k, i) of Φ_q that can differ from zero: k-th multiplier and i-th coordinate. By default all.
+    fn constraint_entries(&self) -> Vec<[usize; 2]> {
+        let n = self.coordinates().len();
+        (0..self.multipliers().len()).flat_map(|k| (0..n).map(move |i| [k, i])).collect()
+    }
+
     /// Returns a description of the k-th constraint, such as "position along x".
     fn constraint_name(&self, k: usize) -> String {
         format!("equation {}", k + 1)

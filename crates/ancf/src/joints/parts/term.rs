@@ -20,7 +20,7 @@ pub trait JointTerm: Term {
 }
 
 macro_rules! joint_terms {
-    ($($term:ty $(: $grouped:expr)?),* $(,)?) => {
+    ($($term:ty $(: $grouped:path)?),* $(,)?) => {
         $(impl JointTerm for $term {
             fn reaction(&self, s: &State) -> Wrench {
                 Self::reaction(self, s)
@@ -39,7 +39,7 @@ macro_rules! joint_terms {
 
 joint_terms! {
     CoincidenceConstraint: Self::grouped,
-    ConstantAngle: |angle| Some(Self::grouped(angle)),
+    ConstantAngle: Self::grouped,
     MeasureConstraint: Self::grouped,
     Friction,
     HingeAngle,

@@ -7,7 +7,7 @@ use crate::constraints::ConstraintGroup;
 use crate::elements::{Beam24, Beam27, Cable12, RigidTerm};
 
 /// Kinds of terms that are evaluated in batches.
-const KINDS: [fn(&[Box<dyn Term>]) -> Vec<TermBatch>; 5] = [
+const KINDS: [fn(&[&dyn Term]) -> Vec<TermBatch>; 5] = [
     batches_of::<Beam24>,
     batches_of::<Beam27>,
     batches_of::<Cable12>,
@@ -16,12 +16,13 @@ const KINDS: [fn(&[Box<dyn Term>]) -> Vec<TermBatch>; 5] = [
 ];
 
 /// Returns batches of the terms of a system, each with the indices of its terms. Terms of other kinds are in no batch.
-pub fn term_batches(terms: &[Box<dyn Term>]) -> Vec<TermBatch> {
-    KINDS.iter().flat_map(|of| of(terms)).collect()
+pub fn term_batches<T: AsRef<dyn Term>>(terms: &[T]) -> Vec<TermBatch> {
+    let terms: Vec<&dyn Term> = terms.iter().map(AsRef::as_ref).collect();
+    KINDS.iter().flat_map(|of| of(&terms)).collect()
 }
 
-fn batches_of<T: BatchTerm>(terms: &[Box<dyn Term>]) -> Vec<TermBatch> {
-    let own = terms.iter().map(|term| (&**term as &dyn Any).downcast_ref::<T>()).enumerate();
+fn batches_of<T: BatchTerm>(terms: &[&dyn Term]) -> Vec<TermBatch> {
+    let own = terms.iter().map(|term| (*term as &dyn Any).downcast_ref::<T>()).enumerate();
     let (indices, own): (Vec<usize>, Vec<&T>) = own.filter_map(|(index, term)| Some((index, term?))).unzip();
     let placed =
         |(places, batch): TermBatch| (places.into_iter().map(|place| indices[place]).collect(), batch);

@@ -7,6 +7,8 @@ use crate::constraints::BilinearRow;
 use crate::kinematics::Marker;
 
 /// Constraint rows of several terms with equal structure, one term in each lane ([`BilinearRow`]).
+///
+/// The evaluation has no closures, which would not be compiled for the vector instructions of the kernel.
 #[derive(Debug)]
 pub(super) struct BilinearLanes {
     /// Number of coordinates of a term. Its multipliers follow.
@@ -103,7 +105,7 @@ impl BilinearLanes {
                     phi = product.change(pass, [&a, &b], phi);
                     continue;
                 }
-                let [va, vb] = product.vectors.each_ref().map(|vector| vector.sum(pass, at.v));
+                let [va, vb] = [product.vectors[0].sum(pass, at.v), product.vectors[1].sum(pass, at.v)];
                 phi = if level == Level::Velocity {
                     let [a, b] = product.values(pass, at.q);
                     factor.mul_add(dot_add(a.value, vb, dot(va, b.value)), phi)
@@ -112,10 +114,10 @@ impl BilinearLanes {
                 };
             }
             let moved = if level == Level::Velocity { at.v } else { at.q };
-            for LinearLanes { coordinate, factor, .. } in
-                row.linear.iter().filter(|_| level != Level::Acceleration)
-            {
-                phi = pass.load(factor).mul_add(pass.load(&moved[*coordinate]), phi);
+            if level != Level::Acceleration {
+                for LinearLanes { coordinate, factor, .. } in &row.linear {
+                    phi = pass.load(factor).mul_add(pass.load(&moved[*coordinate]), phi);
+                }
             }
             let phi = if level == Level::Position { row.without_offset(pass, at, phi) } else { phi };
             add(pass, to, phi);
@@ -133,10 +135,14 @@ impl BilinearLanes {
                 product.vectors[1].add_entries(pass, scaled(a.value, factor), k);
                 for (weight, entries) in &product.curvature {
                     let value = pass.load(weight) * lambda;
-                    entries.iter().for_each(|&entry| add(pass, &mut k[entry], value));
+                    for &entry in entries {
+                        add(pass, &mut k[entry], value);
+                    }
                 }
             }
-            row.linear.iter().for_each(|linear| add(pass, &mut k[linear.entry], pass.load(&linear.factor)));
+            for LinearLanes { factor, entry, .. } in &row.linear {
+                add(pass, &mut k[*entry], pass.load(factor));
+            }
         }
     }
 }

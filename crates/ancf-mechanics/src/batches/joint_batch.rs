@@ -51,7 +51,9 @@ impl BatchKernel for JointBatch {
 
     #[inline(always)]
     fn set_tangent<S: Simd>(&self, pass: Pass<S>, at: &LocalLanes<'_>, w: Weights, k: &mut [Lanes]) {
-        k.iter_mut().for_each(|entry| pass.store(entry, pass.zero()));
+        for entry in &mut *k {
+            pass.store(entry, pass.zero());
+        }
         self.rows.add_tangent(pass, at, w.q, k);
     }
 

@@ -103,10 +103,14 @@ impl BatchKernel for RigidBatch {
 
     #[inline(always)]
     fn set_tangent<S: Simd>(&self, pass: Pass<S>, at: &LocalLanes<'_>, w: Weights, k: &mut [Lanes]) {
-        k.iter_mut().for_each(|entry| pass.store(entry, pass.zero()));
+        for entry in &mut *k {
+            pass.store(entry, pass.zero());
+        }
         for PairMass { mass, entries, .. } in &self.masses {
             let value = pass.load(mass) * pass.splat(w.a);
-            entries.iter().for_each(|&entry| pass.store(&mut k[entry], value));
+            for &entry in entries {
+                pass.store(&mut k[entry], value);
+            }
         }
         self.rigidity.add_tangent(pass, at, w.q, k);
     }
@@ -134,10 +138,15 @@ impl BatchKernel for RigidBatch {
         if self.vectors < 4 {
             return;
         }
-        let [x, y, z] = [1, 2, 3].map(|i| Self::director(pass, at.q, i));
-        let minor = |i: usize, j: usize| y[i].mul_add(z[j], -(y[j] * z[i]));
+        let (x, y) = (Self::director(pass, at.q, 1), Self::director(pass, at.q, 2));
+        let z = Self::director(pass, at.q, 3);
+        let mut normal = pass.zeros();
+        for i in 0..3 {
+            let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+            normal[i] = y[j].mul_add(z[k], -(y[k] * z[j]));
+        }
         let mut volume = Lanes([1.0; LANES]);
-        pass.store(&mut volume, dot(x, [minor(1, 2), minor(2, 0), minor(0, 1)]));
+        pass.store(&mut volume, dot(x, normal));
         admissible.iter_mut().zip(volume.0).for_each(|(admissible, volume)| *admissible &= volume > 0.0);
     }
 }

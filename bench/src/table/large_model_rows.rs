@@ -27,7 +27,7 @@ const FRAMES: (u32, u32) = (10_000, 6);
 
 /// All rows.
 pub(super) const ROWS: [(RowSpec, Measure); 8] = [
-    (row("time step, per rigid body", RowUnit::Microseconds, 2.2), chain_step),
+    (row("step of a chain, per rigid body", RowUnit::Microseconds, 2.2), chain_step),
     (row("run of one step, per rigid body", RowUnit::Microseconds, 250.0), chain_run),
     (row("check, per rigid body", RowUnit::Microseconds, 250.0), chain_check),
     (row("1000 probes against 1, 1000 steps", RowUnit::Factor, 5.0), probe_factor),

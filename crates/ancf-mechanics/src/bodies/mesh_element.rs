@@ -26,6 +26,9 @@ pub(crate) trait MeshElement: Term + Clone + fmt::Debug + 'static {
 
     /// Returns ∫ ρ S_i dV for each vector.
     fn first_moments(&self) -> &[f64];
+
+    /// Returns the entry M_ab = ∫ ρ S_a S_b dV of the compact mass matrix.
+    fn mass(&self, a: usize, b: usize) -> f64;
 }
 
 impl MeshElement for Beam24 {
@@ -44,6 +47,10 @@ impl MeshElement for Beam24 {
     fn first_moments(&self) -> &[f64] {
         self.profile().first_moments()
     }
+
+    fn mass(&self, a: usize, b: usize) -> f64 {
+        self.profile().mass()[a][b]
+    }
 }
 
 impl MeshElement for Beam27 {
@@ -60,6 +67,10 @@ impl MeshElement for Beam27 {
 
     fn first_moments(&self) -> &[f64] {
         self.profile().first_moments()
+    }
+
+    fn mass(&self, a: usize, b: usize) -> f64 {
+        self.profile().mass()[a][b]
     }
 }
 
@@ -80,6 +91,10 @@ impl MeshElement for Cable12 {
 
     fn first_moments(&self) -> &[f64] {
         self.profile().first_moments()
+    }
+
+    fn mass(&self, a: usize, b: usize) -> f64 {
+        self.profile().mass()[a][b]
     }
 }
 
@@ -104,6 +119,9 @@ pub(crate) trait ElementList: fmt::Debug + Send + Sync {
 
     /// Returns ∫ ρ S_i dV of an element for each vector.
     fn first_moments(&self, element: usize) -> &[f64];
+
+    /// Returns the entry M_ab of the compact mass matrix of an element.
+    fn mass(&self, element: usize, a: usize, b: usize) -> f64;
 
     /// Returns the kinds of the vectors of a node.
     fn node(&self) -> &'static [VectorKind];
@@ -134,6 +152,10 @@ impl<E: MeshElement> ElementList for Vec<E> {
 
     fn first_moments(&self, element: usize) -> &[f64] {
         self[element].first_moments()
+    }
+
+    fn mass(&self, element: usize, a: usize, b: usize) -> f64 {
+        self[element].mass(a, b)
     }
 
     fn node(&self) -> &'static [VectorKind] {

@@ -90,6 +90,15 @@ impl RigidBody {
         Marker::new([(self.first, self.mass)], self.centre * self.mass)
     }
 
+    /// Returns the entry M_ab of the compact mass matrix over (r, d₁, d₂, d₃): the mass, and E for the directors.
+    pub(crate) fn mass_entry(&self, a: usize, b: usize) -> f64 {
+        match (a, b) {
+            (0, 0) => self.mass,
+            (0, _) | (_, 0) => 0.0,
+            (a, b) => self.euler.map_or(0.0, |euler| euler[(a - 1, b - 1)]),
+        }
+    }
+
     fn directors(&self) -> [Marker; 3] {
         let axes = [Vector3::x(), Vector3::y(), Vector3::z()];
         std::array::from_fn(|i| Marker::new([(self.first + 3 * (i + 1), 1.0)], axes[i]))

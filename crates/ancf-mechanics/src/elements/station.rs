@@ -101,6 +101,13 @@ pub struct StrainEnergy {
     pub volume: f64,
 }
 
+impl StrainEnergy {
+    /// Returns the sum of the parts.
+    pub fn total(&self) -> f64 {
+        self.axial + self.bending + self.shear + self.torsion + self.section + self.volume
+    }
+}
+
 impl AddAssign for StrainEnergy {
     fn add_assign(&mut self, other: Self) {
         let Self { axial, bending, shear, torsion, section, volume } = other;

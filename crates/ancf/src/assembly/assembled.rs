@@ -24,6 +24,8 @@ pub struct Assembly {
     pub recorded_quantities: Vec<RecordedQuantity>,
     /// True if strain energies of bodies are recorded by part.
     pub energy_parts: bool,
+    /// True if mass centers, momenta and energies of bodies are recorded.
+    pub momentum: bool,
     /// True if errors of the values are estimated in each state.
     pub errors: bool,
     pub(crate) bodies: Vec<(String, BodyTerms)>,

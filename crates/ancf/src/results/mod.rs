@@ -1,6 +1,7 @@
 //! Result columns and fields of states.
 
 mod angle_counter;
+mod body_motion;
 mod fields;
 mod rows;
 mod section_forces;

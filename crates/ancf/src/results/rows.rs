@@ -6,6 +6,7 @@ use nalgebra::{Matrix3, Vector3};
 use serde::{Deserialize, Serialize};
 
 use super::angle_counter::{AngleCounter, AngleHistory, AngleRates};
+use super::body_motion;
 use crate::assembly::Assembly;
 use crate::model::Quantity;
 use crate::units::{Dimension, Scales, UnitQuantity, Units};
@@ -26,6 +27,8 @@ use crate::units::{Dimension, Scales, UnitQuantity, Units};
 /// | `j.position j.speed` | slides: arc length from the start of the undeformed beam, and its rate |
 /// | `j.length j.speed` | distance joints and springs: distance of the ends, and its rate |
 /// | `b.axial b.bending b.shear b.torsion b.section b.volume` | strain energy of each body `b` by part, on request |
+/// | `b.cx b.cy b.cz`, `b.px ..`, `b.lx ..`, `b.kinetic b.strain` | mass center, linear and angular momentum about the origin, energies of each body `b`, on request |
+/// | `cx cy cz`, `px ..`, `lx ..` | mass center and momenta of the model, on request |
 /// | `p.x_error ..`, `j.fx_error ..` | estimated errors, exact less computed, on request; NaN if they are not known |
 /// | `iterations`, ... | solver values of each state |
 /// | `kinetic`, `strain`, `potential` | energies; the potential energy is zero in the reference configuration |
@@ -118,6 +121,7 @@ pub(crate) fn columns(assembly: &Assembly, first: &str, solver: &[&str]) -> Vec<
         let energies = assembly.bodies().flat_map(|(body, _)| Column::of(body, parts, Dimension::ENERGY));
         columns.extend(energies.map(|column| column.with_quantity(UnitQuantity::Energy)));
     }
+    columns.extend(body_motion::columns(assembly));
     columns.extend(solver.iter().map(|&name| Column::new(name, None)));
     // Statics has no time history, so no energy balance.
     let balance: &[&str] = if first == TIME { &["work", "dissipated", "balance"] } else { &[] };
@@ -232,6 +236,7 @@ impl Rows {
                 }
             }
         }
+        body_motion::fill(assembly, s, &self.scales, &mut self.row);
         self.row.extend(solver);
         for part in [energy.kinetic, energy.strain, energy.potential] {
             self.push(part, Dimension::ENERGY);

@@ -46,6 +46,10 @@ impl Dimension {
 
     /// F T²/L.
     pub const MASS: Self = Self::new(-1, 2, 1);
+    /// F T, of linear momenta.
+    pub const MOMENTUM: Self = Self::new(0, 1, 1);
+    /// F L T, of angular momenta.
+    pub const ANGULAR_MOMENTUM: Self = Self::new(1, 1, 1);
     /// Mass times L², of moments of inertia.
     pub const INERTIA: Self = Self::new(1, 2, 1);
 

@@ -3,7 +3,8 @@ use serde::{Deserialize, Serialize};
 use crate::dynamics::initial_conditions::solve;
 use crate::dynamics::time_stepper::TimeStepper;
 use crate::equations::{EquationsOfMotion, Level, Weights};
-use crate::newton::{NewtonReport, SolveError, SolveFailure};
+use crate::factor::Products;
+use crate::newton::{NewtonReport, SolveError, SolveFailure, dot};
 use crate::sparse::SparseMatrix;
 
 /// Error estimate of a step of a second-order scheme, as a mass-weighted root mean square displacement.
@@ -19,15 +20,17 @@ use crate::sparse::SparseMatrix;
 /// Source: Shampine & Baca (1984) for the filter; κ by inserting exp(iωt) into the scheme.
 #[derive(Debug)]
 pub(crate) struct ErrorEstimate {
-    /// Constant mass matrix, and the total mass m.
+    /// Constant mass matrix M, its products, and the total mass m.
     matrix: SparseMatrix,
+    products: Products,
     mass: f64,
-    /// Error ε of the attempt, its rate, and a product of M with a vector.
+    /// Error ε of the attempt, and M ε of the attempt and of the last accepted step.
     now: Vec<f64>,
-    rate: Vec<f64>,
     force: Vec<f64>,
-    /// Correction of the velocities of the attempt.
-    correction: Vec<f64>,
+    force_before: Vec<f64>,
+    /// Another vector, such as a correction of the velocities, and its product with M.
+    other: Vec<f64>,
+    product: Vec<f64>,
     /// Squares ‖ε‖² and ‖ε̇‖² of the attempt.
     squares: [f64; 2],
     pub(crate) history: ErrorHistory,
@@ -62,8 +65,9 @@ impl ErrorEstimate {
         dynamics.eom.tangent(dynamics.state(), Weights::MASS, &mut matrix);
         let zeros = vec![0.0; matrix.pattern().size()];
         let history = ErrorHistory { error: zeros.clone(), h: None, integrals: [0.0; 2] };
-        let [now, rate, correction] = std::array::from_fn(|_| zeros.clone());
-        Self { matrix, mass, now, rate, force: zeros, correction, squares: [0.0; 2], history }
+        let products = Products::new(matrix.pattern());
+        let [now, force, force_before, other, product] = std::array::from_fn(|_| zeros.clone());
+        Self { matrix, products, mass, now, force, force_before, other, product, squares: [0.0; 2], history }
     }
 
     /// Clears the history.
@@ -71,18 +75,23 @@ impl ErrorEstimate {
         (self.history.h, self.history.integrals) = (None, [0.0; 2]);
     }
 
-    /// Computes the norm ‖x‖ of a vector over the coordinates.
-    pub(crate) fn norm(&mut self, x: &[f64]) -> f64 {
-        self.now[..x.len()].copy_from_slice(x);
-        self.now[x.len()..].fill(0.0);
-        square(&self.matrix, &self.now, &mut self.force, self.mass).sqrt()
+    /// Resumes from a saved history.
+    pub(crate) fn restore(&mut self, history: &ErrorHistory) {
+        self.history = history.clone();
+        self.products.multiply(&self.matrix, &self.history.error, &mut self.force_before);
     }
 
-    /// Computes the norm ‖x‖ of a vector over the coordinates, and leaves the estimate unchanged.
-    pub(crate) fn norm_of(&self, x: &[f64]) -> f64 {
-        let mut all = x.to_vec();
-        all.resize(self.now.len(), 0.0);
-        square(&self.matrix, &all, &mut vec![0.0; all.len()], self.mass).sqrt()
+    /// Computes the norm ‖x‖ of a vector over the coordinates.
+    pub(crate) fn norm(&mut self, x: &[f64]) -> f64 {
+        self.other[..x.len()].copy_from_slice(x);
+        self.norm_of_other(x.len())
+    }
+
+    /// Computes the norm of the first `n` components of `other`, which are its coordinates.
+    fn norm_of_other(&mut self, n: usize) -> f64 {
+        self.other[n..].fill(0.0);
+        self.products.multiply(&self.matrix, &self.other, &mut self.product);
+        (dot(&self.other, &self.product).max(0.0) / self.mass).sqrt()
     }
 
     /// Estimates the error of the attempted step.
@@ -99,7 +108,7 @@ impl ErrorEstimate {
             self.force[i] = factor * (b[i] - a[i]);
         }
         self.force[n..].fill(0.0);
-        self.matrix.multiply(&self.force, &mut self.now);
+        self.products.multiply(&self.matrix, &self.force, &mut self.now);
         self.now[n..].fill(0.0);
         let (newton, s) = (&mut dynamics.newton, &dynamics.motion.state);
         if done.iterations == 0 {
@@ -107,17 +116,18 @@ impl ErrorEstimate {
             let (matrix, factor) = newton.tangent.lend();
             solve(&*dynamics.eom, matrix, factor, s, w, &mut self.now)?;
         } else {
-            let solved = newton.tangent.factor.solve(&newton.tangent.matrix, &mut self.now);
+            let solved = newton.tangent.factor.solve_increment(&newton.tangent.matrix, &mut self.now, &[]);
             solved.map_err(|_| SolveError::at(s.t, SolveFailure::Singular))?;
         }
         self.now[n..].fill(0.0);
-        self.squares = [square(&self.matrix, &self.now, &mut self.force, self.mass), 0.0];
+        self.products.multiply(&self.matrix, &self.now, &mut self.force);
+        self.squares = [dot(&self.now, &self.force).max(0.0) / self.mass, 0.0];
         if let Some(before) = self.history.h {
-            let between = 0.5 * (h + before);
-            for i in 0..n {
-                self.rate[i] = (self.now[i] - self.history.error[i]) / between;
-            }
-            self.squares[1] = square(&self.matrix, &self.rate, &mut self.force, self.mass);
+            let ends =
+                self.now.iter().zip(&self.history.error).zip(self.force.iter().zip(&self.force_before));
+            let change: f64 =
+                ends.map(|((x, x_before), (f, f_before))| (x - x_before) * (f - f_before)).sum();
+            self.squares[1] = change.max(0.0) / (0.5 * (h + before)).powi(2) / self.mass;
         }
         let [over, under] = self.integrals(h);
         let second = if under > 0.0 { over / under * self.squares[1] } else { 0.0 };
@@ -130,15 +140,15 @@ impl ErrorEstimate {
     ///
     /// The positions of prescribed motions are exact in a step of any size, so the estimated error does not contain it.
     pub(crate) fn velocity_error<E: EquationsOfMotion>(&mut self, dynamics: &mut TimeStepper<'_, E>) -> f64 {
-        let (s, tangent, u) = (&dynamics.motion.state, &mut dynamics.newton.tangent, &mut self.correction);
+        let (s, tangent, u) = (&dynamics.motion.state, &mut dynamics.newton.tangent, &mut self.other);
         let n = s.q.len();
         u[..n].fill(0.0);
         dynamics.eom.constraints(s, Level::Velocity, &mut u[n..]);
-        if u[n..].iter().all(|rate| *rate == 0.0) || tangent.factor.solve(&tangent.matrix, u).is_err() {
+        let is_zero = u[n..].iter().all(|rate| *rate == 0.0);
+        if is_zero || tangent.factor.solve_increment(&tangent.matrix, u, &[]).is_err() {
             return 0.0;
         }
-        u[n..].fill(0.0);
-        square(&self.matrix, u, &mut vec![0.0; u.len()], self.mass).sqrt()
+        self.norm_of_other(n)
     }
 
     /// Returns the coordinate with the largest contribution to the error of the attempt, measured as energy.
@@ -156,12 +166,7 @@ impl ErrorEstimate {
     pub(crate) fn accept(&mut self, h: f64) {
         self.history.integrals = self.integrals(h);
         std::mem::swap(&mut self.now, &mut self.history.error);
+        std::mem::swap(&mut self.force, &mut self.force_before);
         self.history.h = Some(h);
     }
-}
-
-/// Computes ‖x‖².
-fn square(matrix: &SparseMatrix, x: &[f64], force: &mut [f64], mass: f64) -> f64 {
-    matrix.multiply(x, force);
-    x.iter().zip(force).map(|(x, f)| x * *f).sum::<f64>().max(0.0) / mass
 }

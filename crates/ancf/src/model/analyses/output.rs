@@ -66,6 +66,9 @@ pub struct Output {
     pub every: u32,
     /// True to record the parts of the strain energy of each body.
     pub energy_parts: bool,
+    /// True to record the mass center, the linear and angular momentum about the origin, the kinetic and the strain energy of
+    /// each body, and the first three of the model.
+    pub momentum: bool,
     /// True to estimate the errors of the recorded values in each state, columns `p.x_error` and so on: exact less computed. In
     /// dynamics those of the time steps and of the mesh, where the run takes two to three times as long. In statics those of the
     /// mesh.
@@ -85,6 +88,7 @@ impl Default for Output {
             interval: None,
             every: 1,
             energy_parts: false,
+            momentum: false,
             errors: false,
             csv: true,
             parquet: true,

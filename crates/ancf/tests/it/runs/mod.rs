@@ -1,5 +1,6 @@
 //! Runs of models: observers, checkpoints, failures.
 
+mod body_motion;
 mod checkpoints;
 mod extensions;
 mod failures;

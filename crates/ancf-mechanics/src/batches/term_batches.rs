@@ -6,8 +6,11 @@ use crate::batch::{BatchTerm, TermBatch};
 use crate::constraints::ConstraintGroup;
 use crate::elements::{Beam24, Beam27, Cable12, RigidTerm};
 
+/// Forms the batches of one kind of terms.
+type FormBatches = fn(&[&dyn Term]) -> Vec<TermBatch>;
+
 /// Kinds of terms that are evaluated in batches.
-const KINDS: [fn(&[&dyn Term]) -> Vec<TermBatch>; 5] = [
+const KINDS: [FormBatches; 5] = [
     batches_of::<Beam24>,
     batches_of::<Beam27>,
     batches_of::<Cable12>,

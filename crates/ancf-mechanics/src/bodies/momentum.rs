@@ -46,7 +46,8 @@ impl Momentum {
     /// Computes the momentum of nodal vectors with the compact mass matrix M_ab.
     fn of(vectors: &[NodalVector], mass: impl Fn(usize, usize) -> f64, s: &State) -> Self {
         let mut sum = Self::default();
-        let velocity = |vector: &NodalVector| Vector3::from_column_slice(&s.v[vector.first..vector.first + 3]);
+        let velocity =
+            |vector: &NodalVector| Vector3::from_column_slice(&s.v[vector.first..vector.first + 3]);
         for (a, own) in vectors.iter().enumerate() {
             let mut p = Vector3::zeros();
             for (b, other) in vectors.iter().enumerate() {

@@ -42,7 +42,8 @@ impl IndexedModel<'_> {
                 RecordedQuantity { name, quantity, place, body, s, offset }
             })
         });
-        let (recorded_quantities, Output { energy_parts, momentum, errors, .. }) = (recorded.collect(), self.output);
+        let (recorded_quantities, Output { energy_parts, momentum, errors, .. }) =
+            (recorded.collect(), self.output);
         let [coordinates, multipliers] = Self::numbers(&bodies, &joints);
         let multipliers = multipliers + self.couplings.len();
         let batches = term_batches(&terms);

@@ -21,6 +21,8 @@ const fn scipy(name: &'static str, goal: f64, theirs: f64) -> RowSpec {
 
 /// Number of rigid bodies of the chain.
 const BODIES: u32 = 10_000;
+/// Number of rigid bodies and of time steps of a chain in motion.
+const MOVING: (u32, u32) = (1000, 201);
 /// Number of time steps with probes.
 const STEPS: u32 = 1000;
 /// Number of probes.
@@ -29,7 +31,8 @@ const PROBES: u32 = 1000;
 const FRAMES: (u32, u32) = (10_000, 6);
 
 /// All rows.
-pub(super) const ROWS: [(RowSpec, Measure); 9] = [
+pub(super) const ROWS: [(RowSpec, Measure); 10] = [
+    (row("step of a chain, per rigid body", RowUnit::Microseconds, 2.2), chain_step),
     (row("run of one step, per rigid body", RowUnit::Microseconds, 250.0), chain_run),
     (row("check, per rigid body", RowUnit::Microseconds, 250.0), chain_check),
     (row("1000 probes against 1, 1000 steps", RowUnit::Factor, 5.0), probe_factor),
@@ -61,12 +64,20 @@ fn per_body(cost: ProgramCost) -> Result<MeasuredValue> {
     measured(1e6 * cost.processor / f64::from(BODIES), format!("{BODIES} bodies"))
 }
 
+/// Difference of the costs of many steps and of one step, with a row of results per step.
+fn chain_step() -> Result<MeasuredValue> {
+    let (bodies, steps) = MOVING;
+    let (many, one) = (with_model(&chain(bodies, steps), run)?, with_model(&chain(bodies, 1), run)?);
+    let per_step = (many.processor - one.processor) / f64::from(steps - 1);
+    measured(1e6 * per_step / f64::from(bodies), format!("{bodies} bodies, {} steps", steps - 1))
+}
+
 fn chain_run() -> Result<MeasuredValue> {
-    per_body(with_model(&chain(BODIES), run)?)
+    per_body(with_model(&chain(BODIES, 1), run)?)
 }
 
 fn chain_check() -> Result<MeasuredValue> {
-    per_body(with_model(&chain(BODIES), |folder| program_run(folder, &["check", "model.toml"]))?)
+    per_body(with_model(&chain(BODIES, 1), |folder| program_run(folder, &["check", "model.toml"]))?)
 }
 
 fn probe_factor() -> Result<MeasuredValue> {

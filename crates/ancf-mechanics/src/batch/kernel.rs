@@ -1,4 +1,4 @@
-use ancf_solver::equations::{Batch, Energy, LANES, Lanes, LocalLanes, Weights};
+use ancf_solver::equations::{Batch, Energy, LANES, Lanes, Level, LocalLanes, Weights};
 use pulp::Simd;
 
 use super::lane::{Lane, Pass, PassJob, run, total};
@@ -10,9 +10,17 @@ pub(crate) trait BatchKernel: Send + Sync {
     /// Returns true if any force depends on velocities.
     fn is_damped(&self) -> bool;
 
+    /// Returns the entries of sparse tangents.
+    fn entries(&self) -> Option<&[[u8; 2]]> {
+        None
+    }
+
     fn add_residual<S: Simd>(&self, pass: Pass<S>, at: &LocalLanes<'_>, r: &mut [Lanes]);
 
     fn set_tangent<S: Simd>(&self, pass: Pass<S>, at: &LocalLanes<'_>, w: Weights, k: &mut [Lanes]);
+
+    /// Adds the constraints of terms with multipliers.
+    fn add_constraints<S: Simd>(&self, _: Pass<S>, _: &LocalLanes<'_>, _: Level, _: &mut [Lanes]) {}
 
     /// Returns kinetic, strain and potential energies.
     fn energies<S: Simd>(&self, pass: Pass<S>, at: &LocalLanes<'_>) -> [Lane<S>; 3];
@@ -35,6 +43,14 @@ impl<K: BatchKernel> Batch for KernelBatch<K> {
 
     fn tangent(&self, at: &LocalLanes<'_>, w: Weights, k: &mut [Lanes]) {
         run(self.0.count(), TangentJob { kernel: &self.0, at, w, k });
+    }
+
+    fn entries(&self) -> Option<&[[u8; 2]]> {
+        self.0.entries()
+    }
+
+    fn constraints(&self, at: &LocalLanes<'_>, level: Level, phi: &mut [Lanes]) {
+        run(self.0.count(), ConstraintsJob { kernel: &self.0, at, level, phi });
     }
 
     fn energy(&self, at: &LocalLanes<'_>) -> Energy {
@@ -97,6 +113,20 @@ impl<K: BatchKernel> PassJob for TangentJob<'_, K> {
     #[inline(always)]
     fn run<S: Simd>(&mut self, pass: Pass<S>) {
         self.kernel.set_tangent(pass, self.at, self.w, self.k);
+    }
+}
+
+struct ConstraintsJob<'a, K> {
+    kernel: &'a K,
+    at: &'a LocalLanes<'a>,
+    level: Level,
+    phi: &'a mut [Lanes],
+}
+
+impl<K: BatchKernel> PassJob for ConstraintsJob<'_, K> {
+    #[inline(always)]
+    fn run<S: Simd>(&mut self, pass: Pass<S>) {
+        self.kernel.add_constraints(pass, self.at, self.level, self.phi);
     }
 }
 

@@ -79,7 +79,7 @@ impl VectorKind {
 }
 
 /// Interpolation of axis and sections from N vectors of an element.
-pub trait Interpolation<const N: usize> {
+pub trait Interpolation<const N: usize>: 'static {
     /// Kind of each vector.
     const KINDS: [VectorKind; N];
 

@@ -12,7 +12,7 @@ mod term_sums;
 mod terms;
 mod thread_parts;
 
-pub use batch::{Batch, LANES, Lanes, LocalLanes};
+pub use batch::{Batch, LANES, Lanes, LocalLanes, MAX_UNKNOWNS};
 pub use contact_pairs::{ActiveGroup, ActivePair, ContactGroup, ContactPair, ContactSearch, active_terms};
 pub use dependence::{Dependence, REDUNDANCY_TOLERANCE, all_constraint_rows, constraint_rows, dependences};
 pub use motion_equations::EquationsOfMotion;

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use nalgebra::DVector;
 
-use super::batch::{GatheredLanes, LowerLanes};
+use super::batch::{GatheredLanes, TangentLanes};
 use super::contact_pairs::{ActiveGroup, ActivePair, acting_pairs};
 use super::dependence::redundant_rows;
 use super::motion_equations::EquationsOfMotion;
@@ -35,8 +35,11 @@ impl EquationsOfMotion for System {
 
     fn constraints(&self, s: &State, level: Level, phi: &mut [f64]) {
         phi.fill(0.0);
-        let mut gathered = LocalState::EMPTY;
-        for &i in &self.constraints {
+        let (mut lanes, mut gathered) = (GatheredLanes::EMPTY, LocalState::EMPTY);
+        for batched in self.batches.iter().filter(|batched| batched.has_multipliers()) {
+            lanes.add_constraints(s, batched, level, phi);
+        }
+        for &i in &self.unbatched_constraints {
             let term = self.terms[i].as_ref();
             term.constraints(&gathered.gather(s, term), level, &mut phi[term.multipliers()]);
         }
@@ -55,10 +58,11 @@ impl EquationsOfMotion for System {
         let values = k.values_mut();
         values.fill(0.0);
         self.by_entries.add_to(values, |batches, values, first| {
-            let (mut lanes, mut lower) = (GatheredLanes::EMPTY, LowerLanes::ZERO);
-            for batched in self.of(batches) {
+            let (mut lanes, mut entries) = (GatheredLanes::EMPTY, TangentLanes::ZERO);
+            for &i in batches {
+                let (batched, places) = (&self.batches[i as usize], &self.places[i as usize]);
                 let at = lanes.gather(s, batched);
-                lower.add_tangent(batched, &at, w, &self.scatters, (values, first));
+                entries.add_tangent((batched, places), &at, w, &self.scatters, (&mut *values, first));
             }
         });
         let (mut gathered, terms) = (LocalState::EMPTY, self.unbatched.iter().copied());
@@ -102,7 +106,7 @@ impl EquationsOfMotion for System {
             let mut lanes = GatheredLanes::EMPTY;
             self.of(batches).find_map(|batched| {
                 let lane = batched.batch.inadmissible(&lanes.gather(s, batched))?;
-                Some(&self.terms[batched.first + lane])
+                Some(&self.terms[batched.terms[lane]])
             })
         });
         let mut gathered = LocalState::EMPTY;

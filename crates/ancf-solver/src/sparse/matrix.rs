@@ -99,7 +99,7 @@ impl SparseMatrix {
 
     /// Returns the entries of Φ_q: multiplier (numbered after the coordinates), coordinate, value.
     pub fn constraints(&self) -> impl Iterator<Item = (usize, usize, f64)> {
-        let unknown = |at: usize| self.pattern.unknown(at);
+        let unknown = |at: u32| self.pattern.unknown(at as usize);
         let border = self.pattern.border().iter();
         border.map(move |b| (unknown(b.multiplier), unknown(b.coordinate), self.values[b.slot]))
     }

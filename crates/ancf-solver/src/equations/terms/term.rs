@@ -1,3 +1,4 @@
+use std::any::Any;
 use std::ops::Range;
 
 use super::energy::{Energy, Level, Power};
@@ -5,7 +6,7 @@ use super::local::{LOCAL, Local, LocalMatrix, LocalStep};
 use super::product_column::ProductColumn;
 use super::state::{Inadmissibility, Weights};
 
-/// Local contribution to the equations of motion, such as an element, one equation of a joint or a load.
+/// Local contribution to the equations of motion, such as an element, the equations of a joint or a load.
 ///
 /// A term is immutable. Its contribution depends only on its own coordinates and multipliers. The test `tests/laws.rs`
 /// checks the consistency of every term: tangent = ∂residual, residual = ∂energy.
@@ -37,7 +38,7 @@ use super::state::{Inadmissibility, Weights};
 ///     }
 /// }
 /// ```
-pub trait Term: Send + Sync {
+pub trait Term: Any + Send + Sync {
     /// Returns the coordinates of the term without repetition.
     fn coordinates(&self) -> &[usize];
 
@@ -104,6 +105,12 @@ pub trait Term: Send + Sync {
     /// Terms with other constraints override this method.
     fn constraints(&self, at: &Local<'_>, level: Level, phi: &mut [f64]) {
         quadratic_constraints(self, at, level, phi);
+    }
+
+    /// Returns the entries (k, i) of Φ_q that can differ from zero: k-th multiplier and i-th coordinate. By default all.
+    fn constraint_entries(&self) -> Vec<[usize; 2]> {
+        let n = self.coordinates().len();
+        (0..self.multipliers().len()).flat_map(|k| (0..n).map(move |i| [k, i])).collect()
     }
 
     /// Returns a description of the k-th constraint, such as "position along x".

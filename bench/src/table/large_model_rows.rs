@@ -39,9 +39,9 @@ pub(super) const ROWS: [(RowSpec, Measure); 10] = [
     (row("memory, 1000 probes", RowUnit::Megabytes, 100.0), probe_memory),
     (row("ParaView, a frame of 1e4 elements", RowUnit::Seconds, 0.2), paraview_frame),
     (row("memory, ParaView, 1e4 elements", RowUnit::Megabytes, 100.0), paraview_memory),
-    (scipy("10 modes, 1000 cable elements", 0.05, 0.025), || lowest_modes(1000)),
-    (scipy("10 modes, 5000 cable elements", 0.22, 0.11), || lowest_modes(5000)),
-    (scipy("10 modes, 20 000 cable elements", 1.3, 0.62), || lowest_modes(20_000)),
+    (scipy("10 modes, 1000 cable elements", 0.0375, 0.025), || lowest_modes(1000)),
+    (scipy("10 modes, 5000 cable elements", 0.165, 0.11), || lowest_modes(5000)),
+    (scipy("10 modes, 20 000 cable elements", 0.93, 0.62), || lowest_modes(20_000)),
 ];
 
 fn measured(value: f64, note: impl Into<String>) -> Result<MeasuredValue> {

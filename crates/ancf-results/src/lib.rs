@@ -33,5 +33,5 @@ mod record;
 mod table;
 
 pub use folder::{Folder, SummaryFile, write_atomically};
-pub use read::{KILLED, OpenError, Results, RunStatus, StoredState};
+pub use read::{KILLED, OpenError, Results, RunStatus, StoredState, given_state};
 pub use record::{CheckpointError, CheckpointInterval, ExpectedSize, Recorder};

@@ -18,7 +18,7 @@ const START: &str = "<!-- keys: ";
 const END: &str = "<!-- end -->";
 
 /// Descriptions of definitions: definition, text of the link, page in `docs/model-file` with its section.
-const LINKS: [(&str, &str, &str); 25] = [
+const LINKS: [(&str, &str, &str); 26] = [
     ("ContactSurface", "obstacle", "contacts.md#obstacles"),
     ("Analysis", "analysis", "analysis.md"),
     ("AngularDrive", "drive", "drives.md"),
@@ -29,6 +29,7 @@ const LINKS: [(&str, &str, &str); 25] = [
     ("Coupling", "coupling", "drives.md#couplings"),
     ("DisplayShape", "display shape", "bodies.md#display-shapes"),
     ("Formulation", "formulation", "bodies.md#formulations"),
+    ("Initial", "initial state", "initial.md"),
     ("InitialMotion", "initial motion", "bodies.md#initial-motion"),
     ("Joint", "joint", "joints.md"),
     ("LinearDrive", "drive", "drives.md"),

@@ -25,7 +25,7 @@ pub(super) const MODULES: [Module; 12] = [
     module("joints", "Joints.", &["Joint"]),
     module("loads", "Loads in addition to gravity.", &["Load"]),
     module("contacts", "Contact between bodies and with obstacles.", &["Contact"]),
-    module("analyses", "Analyses and their solver settings.", &["Analysis"]),
+    module("analyses", "Analyses and their solver settings.", &["Analysis", "Initial"]),
     module("output", "Probes and output.", &["Probe", "Output"]),
     module("whole", "The whole model.", &["Model"]),
 ];
@@ -85,11 +85,13 @@ const CLASSES: [(&str, &str, &str); 27] = [
 
 /// Names of type aliases, and of classes of a single form, that differ from their definition. The word of a key in a model file
 /// is often too general for a name of the package.
-const DEFINITIONS: [(&str, &str); 13] = [
+const DEFINITIONS: [(&str, &str); 15] = [
     ("About", "LinearizationState"),
     ("At", "Position"),
     ("Coupled", "CoupledJoint"),
     ("End", "JointEnd"),
+    ("Initial", "InitialState"),
+    ("Origin", "InitialOrigin"),
     ("Quantity", "ProbeQuantity"),
     ("Sense", "LoadDirection"),
     ("Shape", "AxisShape"),

@@ -4,13 +4,14 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime};
 use std::{fs, io, thread};
 
-use ancf::Model;
 use ancf::diagnosis::Diagnosis;
 use ancf::model::ModelErrors;
+use ancf::{Model, Simulation};
 use clap::Args;
 use serde::Serialize;
 
 use super::display::surfaces_of;
+use super::start::start_of;
 use crate::terminal::{
     Ended, JsonErrors, print, print_error, print_json, print_model_errors, print_status, reject,
 };
@@ -142,7 +143,11 @@ impl Checked {
         let result = read.as_ref().map_err(Clone::clone).and_then(|text| {
             let model = Model::parse(text)?;
             surfaces_of(&model, text, file)?;
-            model.diagnose()
+            let diagnosis = model.diagnose()?;
+            if model.starts_from().is_some() {
+                start_of(&model, &Simulation::new(&model)?, text, file)?;
+            }
+            Ok(diagnosis)
         });
         Self { name, text: read.unwrap_or_default(), result }
     }

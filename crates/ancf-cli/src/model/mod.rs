@@ -5,9 +5,11 @@ mod display;
 mod new;
 mod scaled;
 mod schema;
+mod start;
 
 pub use check::{CHECK_EXAMPLES, CheckArguments};
 pub use display::surfaces_of;
 pub use new::{NEW_EXAMPLES, NewArguments};
 pub use scaled::{SCALED_EXAMPLES, ScaledArguments};
 pub use schema::{SCHEMA_EXAMPLES, print_schema};
+pub use start::start_of;

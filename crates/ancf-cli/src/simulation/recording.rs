@@ -59,6 +59,7 @@ pub fn record(
     let redundant = summary.redundant.iter().map(|one| format!("redundant: {one}"));
     // Warnings are printed even with `--quiet`.
     redundant.chain(summary.warnings.iter().cloned()).for_each(|one| print_error(&format!("warning: {one}")));
+    summary.initial.iter().for_each(|initial| print_status(&format!("start: {}", initial.sentence())));
     print(&values.table());
     let (sentence, columns) = (values.sentence(&summary, seconds, &folder), values.columns());
     let (is_motion, model) = (model.analysis.dynamics().is_some(), recorder.name());
@@ -69,7 +70,7 @@ pub fn record(
             let errors = summary.errors.as_ref().filter(|errors| errors.resolution != Resolution::Unresolved);
             errors.iter().for_each(|errors| print_status(&errors.sentence()));
             summary.motion_errors.iter().for_each(|errors| print_status(&errors.sentence()));
-            if is_motion && summary.motion_errors.is_none() {
+            if is_motion && summary.initial.is_none() && summary.motion_errors.is_none() {
                 print_status(
                     "errors: not estimated; `--errors` states those of the time steps and of the mesh",
                 );

@@ -12,7 +12,7 @@ use clap::Args;
 use super::model_text::{with_elements, with_errors};
 use super::recording::{checkpoint_interval, record};
 use super::requested_error::requested_error;
-use crate::model::surfaces_of;
+use crate::model::{start_of, surfaces_of};
 use crate::results::{REPORT, write_report};
 use crate::terminal::{Ended, interrupt, print_error, print_status, refuse, reject};
 
@@ -98,9 +98,10 @@ impl RunArguments {
             model.output.errors |= self.errors;
             let surfaces = surfaces_of(&model, &text, &self.file)?;
             let simulation = Simulation::new(&model)?;
-            Ok((text, model, simulation, surfaces))
+            let start = start_of(&model, &simulation, &text, &self.file)?;
+            Ok((text, model, simulation, surfaces, start))
         });
-        let (text, model, simulation, surfaces) = match read {
+        let (text, model, simulation, surfaces, start) = match read {
             Ok(read) => read,
             Err(errors) => return Ok(refuse(&errors, &self.file)),
         };
@@ -114,7 +115,10 @@ impl RunArguments {
         let Some(requested) = self.to else {
             let simulation = simulation.with_interrupt(interrupt()?);
             let recorder = recorder(&text, &model, &simulation);
-            return record(&model, recorder, |observer| Ok(simulation.run(observer)?));
+            return record(&model, recorder, |observer| match &start {
+                Some(start) => Ok(simulation.run_from(start, observer)?),
+                None => Ok(simulation.run(observer)?),
+            });
         };
         if !can_refine(&model.analysis) {
             return Ok(reject(

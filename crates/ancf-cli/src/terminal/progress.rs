@@ -6,6 +6,7 @@ use std::time::{Duration, Instant};
 
 use ancf::Model;
 use ancf::errors::short;
+use ancf::model::Origin;
 use ancf::record::Sink;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
@@ -66,6 +67,9 @@ impl RunProgress {
             return Self::with(ProgressBar::hidden(), 1.0, false);
         };
         let bar = bar(TICKS, "{bar:30} {percent:>3} %  {msg}  [{elapsed_precise}, {eta} left]");
+        if model.initial.from == Origin::Equilibrium {
+            bar.set_message("equilibrium at the start");
+        }
         Self::with(bar, settings.duration, model.output.interval.is_none())
     }
 

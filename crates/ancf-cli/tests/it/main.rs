@@ -15,6 +15,7 @@ mod paper;
 mod resume;
 mod run_folder;
 mod runs;
+mod starts;
 mod study;
 #[cfg(feature = "figures")]
 mod verify;

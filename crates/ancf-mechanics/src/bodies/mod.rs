@@ -1,5 +1,6 @@
 //! Bodies: meshes of elements and rigid bodies, with their coordinates, terms and attachments.
 
+mod axial_motion;
 mod body_terms;
 mod distributed;
 mod element_axes;

@@ -5,9 +5,9 @@ use std::f64::consts::PI;
 
 use ancf::Model;
 use ancf::model::{
-    Analysis, At, Beam, Body, Clamp, ClampedGradients, Dynamics, End, EnergyGuard, Formulation, Joint,
-    Material, NamedPosition, NewtonMethod, Output, Place, Probe, Revolute, ScaleChoice, Scheme, Section,
-    Slopes, Spherical, Start,
+    Analysis, At, Beam, Body, Clamp, ClampedGradients, Dynamics, End, EnergyGuard, Formulation, Initial,
+    Joint, Material, NamedPosition, NewtonMethod, Output, Place, Probe, Revolute, ScaleChoice, Scheme,
+    Section, Slopes, Spherical, Start,
 };
 use serde::Serialize;
 
@@ -105,6 +105,7 @@ impl PaperCase {
             couplings: Vec::new(),
             loads: Vec::new(),
             contacts: Vec::new(),
+            initial: Initial::default(),
             scales,
             analysis: Analysis::Dynamics(Dynamics {
                 // Full Newton method, as in the paper, because iterations are counted.

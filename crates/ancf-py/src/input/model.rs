@@ -29,8 +29,16 @@ pub(crate) fn read(py: Python<'_>, path: PathBuf) -> PyResult<Bound<'_, PyAny>> 
     to_python(py, &Value::Table(data))
 }
 
-/// Replaces paths of mesh files relative to a model file by absolute ones, because the data do not know the file.
+/// Replaces paths of mesh files and results folders relative to a model file by absolute ones, because the data do not state
+/// the file.
 fn resolve_files(data: &mut Table, path: &Path) {
+    let initial =
+        data.get_mut("initial").and_then(Value::as_table_mut).and_then(|initial| initial.get_mut("from"));
+    if let Some(Value::String(from)) = initial
+        && !["undeformed", "equilibrium"].contains(&from.as_str())
+    {
+        *from = path.with_file_name(&*from).display().to_string();
+    }
     let bodies = data.get_mut("bodies").and_then(Value::as_array_mut).into_iter().flatten();
     for body in bodies {
         let shapes = body.get_mut("display").and_then(Value::as_array_mut).into_iter().flatten();

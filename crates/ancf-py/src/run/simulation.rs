@@ -5,8 +5,9 @@ use std::io;
 use std::path::Path;
 use std::sync::Arc;
 
-use ancf::model::{Analysis, Units};
-use ancf::{Column, Error, Model, RefinedModel, RefinementHistory, Summary, can_refine, refine};
+use ancf::model::{Analysis, ModelErrors, Units};
+use ancf::{Column, Error, Model, RefinedModel, RefinementHistory, StartState, Summary, can_refine, refine};
+use ancf_results::given_state;
 use ancf_surface::BodySurfaces;
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
 use pyo3::exceptions::{PyMemoryError, PyRuntimeError, PyValueError};
@@ -80,9 +81,14 @@ impl Simulation {
         stop: Option<Py<PyAny>>,
     ) -> PyResult<Bound<'py, PyDict>> {
         let keep = Keep::from_word(states)?;
+        let start = py.detach(|| self.start()).map_err(|errors| model_error(py, &errors, None))?;
         self.signals.begin(stop);
         let mut recorder = RunRecorder::new(self.recorded(py), keep, [callback, tick]);
-        let summary = py.detach(|| self.assembled.simulation.run(&mut recorder));
+        let simulation = &self.assembled.simulation;
+        let summary = py.detach(|| match &start {
+            Some(start) => simulation.run_from(start, &mut recorder),
+            None => simulation.run(&mut recorder),
+        });
         let mut summary = summary.map_err(|error| match error.kind() {
             io::ErrorKind::OutOfMemory => PyMemoryError::new_err(RUN_MEMORY),
             _ => error.into(),
@@ -167,6 +173,12 @@ impl Simulation {
         let units = model.units.as_ref().map(|units| column_units(units, &simulation)).unwrap_or_default();
         let assembled = AssembledModel { simulation, surfaces };
         Ok(Self { assembled, model: data, supplied: model, history: None, units, signals })
+    }
+
+    /// Reads the state of another run in which the motion starts. The results folder is relative to the current folder.
+    fn start(&self) -> Result<Option<StartState>, ModelErrors> {
+        let given = given_state(&self.supplied, Path::new(""))?;
+        given.map(|given| self.assembled.simulation.start_from(&given)).transpose()
     }
 
     /// Returns the parts that the recorder of a run needs.

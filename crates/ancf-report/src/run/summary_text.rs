@@ -14,6 +14,7 @@ pub fn summary_rows(summary: &Summary) -> Vec<(String, String)> {
         ("units of the solver", format!("length {length}, time {time}, force {force}")),
     ]
     .map(|(name, value)| (name.to_owned(), value));
+    let initial = summary.initial.iter().map(|initial| ("start".to_owned(), initial.sentence()));
     let errors = summary
         .errors
         .iter()
@@ -22,7 +23,7 @@ pub fn summary_rows(summary: &Summary) -> Vec<(String, String)> {
     let errors = errors.chain(motion.map(|errors| ("estimated errors".to_owned(), errors.sentence())));
     let meshes = summary.meshes.iter().enumerate();
     let meshes = meshes.map(|(number, mesh)| (format!("mesh {}", number + 1), mesh.to_string()));
-    rows.into_iter().chain(errors).chain(meshes).collect()
+    rows.into_iter().chain(initial).chain(errors).chain(meshes).collect()
 }
 
 /// Returns the warnings of a run for [`Recording::messages`](crate::Recording::messages).

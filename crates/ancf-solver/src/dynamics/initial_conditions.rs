@@ -33,6 +33,38 @@ pub fn consistent_velocities<E: EquationsOfMotion>(
     project(eom, matrix, &mut factor, s, Projected::Velocities, &mut rhs).map(|_| ())
 }
 
+/// Largest number of iterations of a projection of positions.
+const MAX_PROJECTIONS: u32 = 30;
+/// Change at which a projection ends, and change below which a slow decrease is one of rounding errors, relative to the length.
+const PROJECTED: f64 = 1e-13;
+const ROUGH: f64 = 1e-9;
+
+/// Projects the positions onto Φ = 0 in the norm of the kinetic energy, by Newton's method.
+///
+/// The iteration ends at changes that are small relative to `length`, or at rounding errors.
+///
+/// # Errors
+/// If the matrix is singular, or the iteration does not converge.
+pub fn consistent_positions<E: EquationsOfMotion>(
+    eom: &E,
+    matrix: &mut SparseMatrix,
+    s: &mut State,
+    length: f64,
+) -> Result<(), SolveError> {
+    let (mut factor, mut rhs) = storage(matrix)?;
+    let mut last = f64::INFINITY;
+    for _ in 0..MAX_PROJECTIONS {
+        project(eom, matrix, &mut factor, s, Projected::Positions, &mut rhs)?;
+        let change = rhs[..s.q.len()].iter().fold(0.0_f64, |largest, x| largest.max(x.abs()));
+        let is_rounding = change < ROUGH * length && change >= 0.5 * last;
+        if change <= PROJECTED * length || is_rounding {
+            return Ok(());
+        }
+        last = change;
+    }
+    Err(SolveError::at(s.t, SolveFailure::NotConverged))
+}
+
 /// Allocates a factorisation and a right-hand side.
 fn storage(matrix: &SparseMatrix) -> Result<(Factor, Vec<f64>), SolveError> {
     let factor = Factor::new(matrix.pattern()).map_err(|_| SolveError::at_start(SolveFailure::Memory))?;

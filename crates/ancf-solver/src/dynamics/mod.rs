@@ -18,7 +18,7 @@ mod with_errors;
 pub use control::{AdaptiveCheckpoint, AdaptiveStepper, ErrorControl, TimeFunctions, UnseenVariation};
 pub use energy_guard::{EnergyGuard, EnergyRecord};
 pub use errors::MotionErrors;
-pub use initial_conditions::{consistent_accelerations, consistent_velocities};
+pub use initial_conditions::{consistent_accelerations, consistent_positions, consistent_velocities};
 pub use integration_state::{CheckpointMismatch, StepperCheckpoint};
 pub use scheme::SchemeCoefficients;
 pub use step_report::StepReport;

@@ -1,5 +1,5 @@
 use crate::equations::{EquationsOfMotion, State, Weights};
-use crate::newton::{LinearSolution, Newton, SolveError, SolveFailure, StateUpdate};
+use crate::newton::{LinearSolution, Newton, NewtonReport, SolveError, SolveFailure, StateUpdate};
 
 /// Stagnation limit for increments of slowly decreasing energy.
 const STAGNATION_LIMIT: u32 = 100;
@@ -26,11 +26,11 @@ pub fn solve_regularised(
     newton: &mut Newton,
     s: &mut State,
     rate: f64,
-) -> Result<(), SolveError> {
+) -> Result<NewtonReport, SolveError> {
     let weights = Weights { a: rate * rate, ..Weights::STIFFNESS };
     newton.set_stagnation_limit(STAGNATION_LIMIT);
     let report = newton.solve_with(&mut CoordinateUpdate, eom, s, weights)?;
-    eom.inadmissible(s).map_or(Ok(()), |(worst, reason)| {
+    eom.inadmissible(s).map_or(Ok(report), |(worst, reason)| {
         Err(SolveError::after(report, s.t, SolveFailure::Inadmissible(reason), worst))
     })
 }

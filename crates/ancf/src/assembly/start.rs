@@ -10,7 +10,11 @@ impl Assembly {
     /// Initial state with the velocities of the model. They may violate the joints
     /// ([`consistent_velocities`](ancf_solver::dynamics::consistent_velocities)). `model` is the assembled model.
     pub fn start(&self, model: &Model) -> State {
-        let mut s = self.initial();
+        self.with_motions(self.initial(), model)
+    }
+
+    /// State with the initial velocities of the bodies of the model added.
+    pub(crate) fn with_motions(&self, mut s: State, model: &Model) -> State {
         for (body, (_, built)) in model.bodies.iter().zip(self.bodies()) {
             if body.motion().is_rest() {
                 continue;
@@ -18,9 +22,14 @@ impl Assembly {
             let vectors = built.vectors(&s);
             // The first vector is where the axis starts, or the centre.
             let start = vectors.first().map_or_else(Vector3::zeros, |vector| vector.value);
-            for vector in &vectors {
-                let velocity = body.motion().of(vector, start);
-                s.v[vector.first..vector.first + 3].copy_from_slice(velocity.as_slice());
+            // Along a shape that does not change, r(x, t) = r(x + u t): all vectors have the rates u ∂/∂x.
+            let axial = built.mesh().filter(|_| body.motion().axial != 0.0);
+            let axial = axial.map_or_else(Vec::new, |mesh| mesh.axial_derivatives(&s));
+            for (i, vector) in vectors.iter().enumerate() {
+                let along = axial.get(i).map_or_else(Vector3::zeros, |rate| rate * body.motion().axial);
+                let velocity = body.motion().of(vector, start) + along;
+                let own = &mut s.v[vector.first..vector.first + 3];
+                own.iter_mut().zip(&velocity).for_each(|(v, change)| *v += change);
             }
         }
         s

@@ -15,6 +15,7 @@ pub(crate) fn bodies(model: &IndexedModel<'_>) -> Vec<Finding> {
         let materials = || model.materials.keys().map(String::as_str).collect();
         let Some((section, material)) = body.section_and_material() else {
             findings.extend(rule_of_inertia(&path, body));
+            findings.extend(rule_of_axial_motion(&path, body));
             continue;
         };
         if !model.sections.contains_key(section) {
@@ -44,6 +45,15 @@ fn rule_of_inertia(path: &str, body: &Body) -> Option<Finding> {
         let listed = rigid.inertia.map(number).join(", ");
         finding(format!("{path}.inertia"), format!("[{listed}]"), expected)
             .rests_on([format!("{path}.products")])
+    })
+}
+
+/// Checks that bodies without an axis have no motion along it.
+fn rule_of_axial_motion(path: &str, body: &Body) -> Option<Finding> {
+    let axial = body.motion().axial;
+    (axial != 0.0).then(|| {
+        let expected = "0 for a body without an axis: `velocity` is that of its centre";
+        finding(format!("{path}.motion.axial"), number(axial), expected)
     })
 }
 

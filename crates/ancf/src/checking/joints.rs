@@ -4,7 +4,6 @@ use ancf_solver::equations::LOCAL;
 use nalgebra::Vector3;
 
 use super::findings::{COINCIDENT, body, is_direction, no_direction, unknown};
-use super::time_functions::is_dynamic;
 use crate::errors::{Finding, finding, number, quoted};
 use crate::joints::{Coupled, End, Joint, JointActions, JointCoordinate};
 use crate::model::{IndexedModel, TimeFunction, Varying, joints_of};
@@ -96,7 +95,7 @@ fn rule_of_drive(
                 return Some(finding(key, "a function that jumps", "a continuous function"));
             }
             let start = amount * function.value(0.0);
-            (is_dynamic(model) && start.abs() > 1e-6 * scale(model, own)).then(|| {
+            (model.starts_undeformed() && start.abs() > 1e-6 * scale(model, own)).then(|| {
                 let found = format!("{own} {} at t = 0", number(start));
                 let error = finding(key, found, "a motion that starts from the undeformed state, at 0");
                 Finding { absence: true, ..error.rests_on([format!("{path}.{own}")]) }

@@ -13,7 +13,7 @@ use super::memory::{MAX_ELEMENTS, memory_of};
 use super::scheme::{errors, scheme, time};
 use crate::errors::{Finding, finding, number, quoted};
 use crate::joints::{End, Joint};
-use crate::model::{IndexedModel, Model, ON_AXIS, Place, bodies_of, joints_of};
+use crate::model::{IndexedModel, Model, ON_AXIS, Origin, Place, bodies_of, joints_of};
 use crate::schema::join;
 use crate::units::ScaleChoice;
 
@@ -34,6 +34,7 @@ pub(crate) fn broken_rules(model: &Model) -> Vec<Finding> {
         scheme,
         errors,
         scales,
+        initial,
     ];
     let of_times = [super::time_functions::functions, super::time_functions::ground_points, capabilities];
     let of_loads = [
@@ -169,6 +170,15 @@ fn ends(path: &str, body_a: &str, body_b: &str) -> Vec<String> {
     let axes = [body_a, body_b];
     let axes = axes.into_iter().flat_map(|body| ["from", "to", "shape"].map(|key| format!("{body}.{key}")));
     places.into_iter().chain(axes).collect()
+}
+
+/// Checks that a time selects a state of a results folder.
+fn initial(model: &IndexedModel<'_>) -> Vec<Finding> {
+    let Some(time) = model.initial.time.filter(|_| !matches!(model.initial.from, Origin::Folder(_))) else {
+        return Vec::new();
+    };
+    let expected = "no time without a results folder in `initial.from`";
+    vec![finding("initial.time".into(), number(time), expected).rests_on(["initial.from".into()])]
 }
 
 /// Checks that the scales of the paper are used for a model like that of the paper.

@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 use super::findings::{COINCIDENT, body};
 use crate::errors::{Finding, finding, number, quoted};
 use crate::joints::{End, Joint};
-use crate::model::{Analysis, IndexedModel, TimeFunction, Varying, joints_of};
+use crate::model::{IndexedModel, TimeFunction, Varying, joints_of};
 
 /// Checks that functions of time are defined: tables in ascending order, intervals not empty, valid formulas.
 pub(crate) fn functions(model: &IndexedModel<'_>) -> Vec<Finding> {
@@ -62,11 +62,7 @@ fn rule_of_formula(path: String, text: &str, time: &TimeFunction) -> Option<Find
     }
 }
 
-pub(crate) fn is_dynamic(model: &IndexedModel<'_>) -> bool {
-    matches!(model.analysis, Analysis::Dynamics(_))
-}
-
-/// Checks that joints to ground points start there in dynamics.
+/// Checks that joints to ground points start there in dynamics from the undeformed state.
 pub(crate) fn ground_points(model: &IndexedModel<'_>) -> Vec<Finding> {
     let rule = |(path, joint): (String, &Joint)| {
         let (a, End::Point(b)) = joint.ends() else { return None };
@@ -76,13 +72,13 @@ pub(crate) fn ground_points(model: &IndexedModel<'_>) -> Vec<Finding> {
         let (owner, body) = body(model, a)?;
         let apart = (model.point(a)? - Vector3::from(b.point)).norm();
         let length = if body.is_flexible() { body.length() } else { model.length() };
-        (is_dynamic(model) && !model.assemble && apart > COINCIDENT * length).then(|| {
+        (model.starts_undeformed() && !model.assemble && apart > COINCIDENT * length).then(|| {
             let found = format!("a point that is {} away from `a`", number(apart));
             let expected = "in dynamics, the point of `a` in the undeformed state";
             let rests_on = ["from", "to", "shape"].map(|key| format!("{owner}.{key}"));
             let rests_on = rests_on.into_iter().chain(["a.body", "a.at"].map(|key| format!("{path}.{key}")));
             finding(format!("{path}.b.point"), found, expected)
-                .hint("`assemble = true` closes the gap")
+                .hint("`assemble = true` closes the gap, and `initial.from = \"equilibrium\"` closes it in proportion to the load")
                 .rests_on(rests_on)
         })
     };

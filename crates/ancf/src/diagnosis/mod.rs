@@ -13,4 +13,5 @@ mod warnings;
 pub(crate) use free_motion::MAX_LISTED;
 pub use free_motion::{FreeMotion, RigidMotion};
 pub use summary::Diagnosis;
+pub(crate) use summary::projection_warning;
 pub(crate) use warnings::model_warnings;

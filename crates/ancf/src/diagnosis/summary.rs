@@ -11,7 +11,7 @@ use super::warnings::model_warnings;
 use crate::assembly::{Assembly, Redundant};
 use crate::errors::ModelErrors;
 use crate::joints::Joint;
-use crate::model::{Body, Model};
+use crate::model::{Body, Model, Origin};
 
 /// Contents of a model, constraints of its joints, and free motions. Lengths in the user's units.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -47,6 +47,8 @@ pub struct Diagnosis {
     /// Kinetic energy of the change from the stated initial velocities to those that satisfy the constraints, relative to the
     /// kinetic energy of the stated velocities. `None` without initial velocities.
     pub projection: Option<f64>,
+    /// Start of a motion that does not start from the undeformed state.
+    pub start: Option<String>,
     /// Warnings of redundant constraints, corrected velocities, locking, numbers in mixed units, bodies that fall, and so on.
     pub warnings: Vec<String>,
 }
@@ -71,7 +73,10 @@ impl Model {
         let text = |motion: FreeMotion| motion.scaled(scales.length).to_string();
         let all_redundant = assembly.rank_deficiency();
         let connections = Connections::new(self);
-        let projection = if dynamic { assembly.projection(&model) } else { None };
+        // Other starts are computed by the run, which reports their projection.
+        let projection =
+            if self.starts_undeformed() { assembly.projection(&assembly.start(&model)) } else { None };
+        let start = dynamic.then(|| start_text(&self.initial.from)).flatten();
         let mut warnings: Vec<String> = assembly.redundant().iter().map(redundant_warning).collect();
         warnings.extend(projection.and_then(projection_warning));
         warnings.extend(model_warnings(self));
@@ -94,6 +99,7 @@ impl Model {
             gaps: closed.map(|closed| lengths(&closed.gaps)).unwrap_or_default(),
             moved: closed.map(|closed| lengths(&closed.moved)).unwrap_or_default(),
             projection,
+            start,
             warnings,
         })
     }
@@ -113,9 +119,8 @@ impl Model {
 }
 
 impl Assembly {
-    /// T(v' − v) / T(v) of the stated velocities v and of the nearest velocities v' that satisfy the constraints.
-    fn projection(&self, model: &Model) -> Option<f64> {
-        let start = self.start(model);
+    /// T(v' − v) / T(v) of the velocities v of a state and of the nearest velocities v' that satisfy the constraints.
+    pub(crate) fn projection(&self, start: &State) -> Option<f64> {
         let kinetic = |v: Vec<f64>| self.system.energy(&State { v, ..start.clone() }).kinetic;
         let stated = kinetic(start.v.clone());
         let mut projected = start.clone();
@@ -172,11 +177,23 @@ fn quoted(names: &[String]) -> String {
     names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ")
 }
 
+/// Start of a motion from another state than the undeformed one.
+fn start_text(from: &Origin) -> Option<String> {
+    match from {
+        Origin::Undeformed => None,
+        Origin::Folder(folder) => Some(format!("state of the results folder `{folder}`")),
+        Origin::Equilibrium => {
+            Some("equilibrium under the loads and drives at t = 0, computed by the run".to_owned())
+        }
+    }
+}
+
 fn redundant_warning(one: &Redundant) -> String {
     format!("redundant: {one}; they share the constraint force")
 }
 
-fn projection_warning(change: f64) -> Option<String> {
+/// Warning of initial velocities that violate constraints, by the relative kinetic energy of their correction.
+pub(crate) fn projection_warning(change: f64) -> Option<String> {
     (change > PROJECTION_TOLERANCE).then(|| {
         let percent = number(100.0 * change);
         format!(
@@ -243,6 +260,9 @@ impl fmt::Display for Diagnosis {
         }
         for (body, by) in &self.moved {
             writeln!(f, "moved:     body `{body}`, by up to {}", number(*by))?;
+        }
+        if let Some(start) = &self.start {
+            writeln!(f, "start:     {start}")?;
         }
         self.warnings.iter().try_for_each(|warning| writeln!(f, "warning:   {warning}"))
     }

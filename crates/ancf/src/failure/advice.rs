@@ -4,7 +4,7 @@ use ancf_solver::eigen::EigenError;
 use ancf_solver::equations::Inadmissibility;
 use ancf_solver::newton::SolveFailure;
 
-use crate::model::{Analysis, Dynamics, Step};
+use crate::model::{Analysis, Dynamics, Statics, Step};
 
 const FOR_SINGULAR: &str = "`ancf check`, which lists redundant joints and unsupported motions; mass for coordinates \
                             without mass";
@@ -63,6 +63,20 @@ pub(crate) fn advice_for_iteration(failure: SolveFailure, analysis: &Analysis) -
     }
 }
 
+/// Advice after a failed search for the equilibrium at the start of a motion.
+pub(crate) fn advice_for_start(failure: SolveFailure) -> String {
+    match failure {
+        SolveFailure::Singular
+        | SolveFailure::Memory
+        | SolveFailure::Inadmissible(_)
+        | SolveFailure::Crossed
+        | SolveFailure::Unstable => advice_for_iteration(failure, &Analysis::Statics(Statics::default())),
+        _ => "a smaller `initial.statics.first`; a start in the undeformed state with loads that increase slowly, and damping; \
+              an analysis of kind \"statics\" of the same model, which records the equilibria up to the failure"
+            .into(),
+    }
+}
+
 /// Advice after time steps without convergence.
 fn for_steps(settings: &Dynamics) -> String {
     let steps = match settings.step {
@@ -101,3 +115,6 @@ pub(crate) const fn advice_for_eigen(error: EigenError) -> &'static str {
 /// Advice for models with unsupported motions.
 pub(crate) const ADVICE_FOR_MECHANISMS: &str = "joints, springs or stiffness that support the motion, or an analysis of kind \
                                                 \"dynamics\", which permits it; `ancf check` lists free motions";
+/// Advice for models with unsupported motions that start from an equilibrium.
+pub(crate) const ADVICE_FOR_MECHANISMS_AT_START: &str = "joints, springs or stiffness that support the motion, or a start in \
+                                                         the undeformed state; `ancf check` lists free motions";

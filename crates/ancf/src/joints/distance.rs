@@ -78,7 +78,7 @@ impl JointKind for Distance {
             return vec![finding(key, "a function that jumps", "a continuous function")];
         }
         let start = self.change * self.time.compile().map_or(0.0, |function| function.value(0.0));
-        let nonzero = context.is_dynamic() && start.abs() > 1e-6 * context.length();
+        let nonzero = context.starts_undeformed() && start.abs() > 1e-6 * context.length();
         let found = nonzero.then(|| {
             let found = format!("a change of {} at t = 0", number(start));
             let error = finding(key, found, "a motion that starts from the undeformed state, at 0");

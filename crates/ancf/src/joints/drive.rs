@@ -130,9 +130,11 @@ impl JointKind for DrivenClamp {
             let error = finding(key.clone(), found, REST_AT_START);
             vec![Finding { absence: true, ..error.rests_on([format!("{path}.{own}")]) }]
         };
-        if context.is_dynamic() && angle.abs() > ANGLE_TOLERANCE {
+        if context.starts_undeformed() && angle.abs() > ANGLE_TOLERANCE {
             nonzero(format!("an angle of {} at t = 0", number(angle)), "angle")
-        } else if context.is_dynamic() && displacement.abs() > DISPLACEMENT_TOLERANCE * context.length() {
+        } else if context.starts_undeformed()
+            && displacement.abs() > DISPLACEMENT_TOLERANCE * context.length()
+        {
             nonzero(format!("a displacement of {} at t = 0", number(displacement)), "displacement")
         } else {
             Vec::new()

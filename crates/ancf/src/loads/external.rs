@@ -35,7 +35,11 @@ impl ExternalLoad {
     /// Supplied function in the units of the model, for an analysis.
     pub(crate) fn function(&self, time_mode: TimeMode) -> Option<ForceFunction> {
         let own = self.supplied.as_ref()?;
-        let own = if time_mode == TimeMode::AsGiven { own.clone() } else { own.frozen_at(1.0) };
+        let own = match time_mode {
+            TimeMode::AsGiven => own.clone(),
+            TimeMode::AtStart | TimeMode::Zero => own.frozen_at(0.0),
+            TimeMode::One => own.frozen_at(1.0),
+        };
         Some(own.in_units(self.units.length, self.units.time, self.units.force))
     }
 }

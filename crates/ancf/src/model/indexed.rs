@@ -139,8 +139,8 @@ impl JointContext for IndexedModel<'_> {
         Self::length(self)
     }
 
-    fn is_dynamic(&self) -> bool {
-        self.analysis.dynamics().is_some()
+    fn starts_undeformed(&self) -> bool {
+        Model::starts_undeformed(self)
     }
 }
 

@@ -16,8 +16,8 @@ use serde::{Deserialize, Serialize, Serializer};
 use crate::units::Scaled;
 
 pub use analyses::{
-    About, Analysis, Buckling, Dynamics, EnergyGuard, Modes, NewtonMethod, Output, Path, Probe, Quantity,
-    Scheme, Sense, Start, Statics, Step, Stop, Unstable,
+    About, Analysis, Buckling, Dynamics, EnergyGuard, Initial, InitialStatics, Modes, NewtonMethod, Origin,
+    Output, Path, Probe, Quantity, Scheme, Sense, Start, Statics, Step, Stop, Unstable,
 };
 pub use bodies::{
     At, Beam, Body, BodySurface, Cable, Capability, DisplayShape, Formulation, InitialMotion, NamedPosition,
@@ -96,6 +96,9 @@ pub struct Model {
     /// Units in which the equations are solved; the units of the model by default.
     #[serde(default)]
     pub scales: ScaleChoice,
+    /// State at the start of dynamics; the undeformed state by default.
+    #[serde(default, skip_serializing_if = "Initial::is_default")]
+    pub initial: Initial,
     /// Analysis to run.
     pub analysis: Analysis,
     /// Places where results are recorded.

@@ -4,11 +4,11 @@ use ancf_mechanics::contact::ObstacleShape;
 
 use crate::joints::Joint;
 use crate::loads::Load;
-use crate::model::Model;
 use crate::model::bodies::{Beam, Body, PointMass, Rigid};
 use crate::model::contacts::{Contact, ObstacleKind};
 use crate::model::functions::{TimeFunction, TimeMode, Varying};
 use crate::model::sections::Section;
+use crate::model::{Model, Origin};
 
 impl Model {
     /// True if the program added joints, loads or sections of kinds that model files do not have.
@@ -54,6 +54,19 @@ impl Model {
     /// Treatment of functions of time in the analysis of the model.
     pub(crate) const fn time_mode(&self) -> TimeMode {
         if self.analysis.dynamics().is_some() { TimeMode::AsGiven } else { TimeMode::One }
+    }
+
+    /// True if the analysis is a motion from the undeformed state, where drives are zero and points of joints coincide.
+    pub(crate) fn starts_undeformed(&self) -> bool {
+        self.analysis.dynamics().is_some() && self.initial.from == Origin::Undeformed
+    }
+
+    /// Results folder in whose state a motion starts.
+    pub fn starts_from(&self) -> Option<&str> {
+        match &self.initial.from {
+            Origin::Folder(folder) if self.analysis.dynamics().is_some() => Some(folder),
+            _ => None,
+        }
     }
 
     /// True if the model has external functions of time that are supplied, or that are not yet supplied.

@@ -77,6 +77,11 @@ impl AngleCounter {
         self.history.at = Some(at);
     }
 
+    /// Continues from the last angles with another variable than that of the steps so far.
+    pub(crate) fn restart(&mut self) {
+        self.history.at = None;
+    }
+
     /// Values of the angles, in the order of the joint coordinates.
     pub(crate) fn values(&self) -> impl Iterator<Item = f64> {
         self.history.angles.iter().map(|[value, _]| *value)

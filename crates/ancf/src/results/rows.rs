@@ -267,6 +267,11 @@ impl Rows {
         self.angles.count(at, s, rates);
     }
 
+    /// Counts the next turns from the last angles, with another variable.
+    pub(crate) fn restart_turns(&mut self) {
+        self.angles.restart();
+    }
+
     /// True if turns of joint angles are counted.
     pub(crate) fn counts_turns(&self) -> bool {
         !self.angles.is_empty()

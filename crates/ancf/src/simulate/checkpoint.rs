@@ -11,13 +11,15 @@ use crate::estimate::{EstimateHistory, MotionEstimate};
 use crate::failure::{
     AlternationHistory, AlternationMonitor, RotationHistory, RotationMonitor, StabilityMonitor,
 };
+use crate::initial::InitialState;
 use crate::model::Model;
 use crate::results::{RowHistory, Rows};
 
 /// State of a dynamic analysis, from which [`Simulation::resume`] continues with bit-identical results.
 ///
 /// A checkpoint requires a format that stores numbers exactly, such as a binary one. For n coordinates and m multipliers it has
-/// about 8 (7n + 2m) bytes, with estimated errors five times as many. Reused tangents add 8 (3n + m), error control adds 8 (n + m), and each active contact pair a few.
+/// about 8 (7n + 2m) bytes, with estimated errors five times as many. Reused tangents add 8 (3n + m), error control adds 8 (n + m), a start
+/// in another state than the undeformed one 8 (3n + m), and each active contact pair a few.
 ///
 /// A checkpoint is valid for the same model and the same version of this library. External functions must be the same and must
 /// return the same values for the same arguments.
@@ -29,6 +31,8 @@ pub struct Checkpoint {
     time: f64,
     counts: StepCounts,
     rows: RowHistory,
+    /// State from which the motion started, unless it is the undeformed state. The initialisation is repeated with it.
+    initial: Option<InitialState>,
     estimate: Option<EstimateHistory>,
     monitor: StabilityMonitor,
     rotations: RotationHistory,
@@ -72,7 +76,7 @@ pub enum ResumeError {
 }
 
 /// Version of the format and of the algorithm.
-const VERSION: u32 = 5;
+const VERSION: u32 = 6;
 
 impl Checkpoint {
     /// Number of rows recorded before the checkpoint. The next row has this number, counted from 0.
@@ -85,11 +89,18 @@ impl Checkpoint {
         self.time
     }
 
+    /// State from which the motion started.
+    pub(crate) fn initial(&self, simulation: &Simulation) -> InitialState {
+        let undeformed = || InitialState::undeformed(&simulation.scaled, &simulation.assembly);
+        self.initial.clone().unwrap_or_else(undeformed)
+    }
+
     pub(crate) fn new(
         model: u64,
         summary: &Summary,
         (monitor, rotations, alternations): (&StabilityMonitor, &RotationMonitor, &AlternationMonitor),
         (rows, estimate): (&Rows, Option<&MotionEstimate<'_>>),
+        initial: &InitialState,
         control: &StepControl<'_>,
     ) -> Self {
         let control = control.checkpoint();
@@ -103,6 +114,7 @@ impl Checkpoint {
             time,
             counts: StepCounts::of(summary),
             rows,
+            initial: initial.report.is_some().then(|| initial.clone()),
             estimate,
             monitor,
             rotations,
@@ -122,8 +134,14 @@ impl Checkpoint {
         let StepCounts { steps, divided_steps, rejected_steps, floor_steps, iterations, .. } = self.counts;
         let counts = [steps, divided_steps, rejected_steps, floor_steps, iterations];
         let coordinates = simulation.assembly.system.coordinates();
+        let is_undeformed = simulation.scaled.starts_undeformed();
+        let is_initial =
+            self.initial.as_ref().map_or(is_undeformed, |initial| initial.is_valid(&simulation.assembly));
         let is_time = self.time == self.control.time() * simulation.scales().time;
-        if is_time && self.monitor.is_valid_for(coordinates) && counts.iter().all(|count| *count <= MAX_COUNT)
+        if is_initial
+            && is_time
+            && self.monitor.is_valid_for(coordinates)
+            && counts.iter().all(|count| *count <= MAX_COUNT)
         {
             Ok(())
         } else {

@@ -8,12 +8,13 @@ use ancf_solver::newton::SolveError;
 
 use super::checkpoint::{Checkpoint, ResumeError, fingerprint};
 use super::error::Error;
-use super::run::{AnalysisRun, RunFailure, RunResult};
+use super::run::{AnalysisRun, RunResult};
 use super::simulation::Simulation;
 use super::step_control::StepControl;
 use super::summary::Summary;
 use crate::estimate::MotionEstimate;
-use crate::failure::{AlternationMonitor, RotationMonitor, StabilityMonitor, find_cause};
+use crate::failure::{AlternationMonitor, RotationMonitor, RunFailure, StabilityMonitor, find_cause};
+use crate::initial::{InitialState, StartState};
 use crate::model::Dynamics;
 use crate::results::{AngleRates, Rows, TIME};
 
@@ -27,6 +28,8 @@ pub(crate) struct DynamicRun<'a> {
     control: StepControl<'a>,
     rotations: RotationMonitor,
     alternations: AlternationMonitor,
+    /// State before the projection of its velocities.
+    initial: InitialState,
     /// Estimate of the errors, on request.
     estimate: Option<MotionEstimate<'a>>,
     /// Computed with the first checkpoint.
@@ -34,9 +37,15 @@ pub(crate) struct DynamicRun<'a> {
 }
 
 impl<'a> DynamicRun<'a> {
-    fn new(simulation: &'a Simulation, settings: &Dynamics, mut rows: Rows) -> Result<Self, SolveError> {
+    fn new(
+        simulation: &'a Simulation,
+        settings: &Dynamics,
+        initial: InitialState,
+        mut rows: Rows,
+    ) -> Result<Self, SolveError> {
         let Simulation { scaled, assembly, interrupt, .. } = simulation;
-        let mut control = StepControl::new(scaled, settings, assembly, interrupt.clone())?;
+        let start = initial.state.clone();
+        let mut control = StepControl::new(scaled, start, settings, assembly, interrupt.clone())?;
         let start = control.dynamics().state();
         rows.count_turns(start.t, start, AngleRates::Velocities);
         let rotations = RotationMonitor::new(scaled, assembly);
@@ -45,7 +54,7 @@ impl<'a> DynamicRun<'a> {
         let mut estimate = scaled.output.errors.then(|| MotionEstimate::new(scaled, assembly, scales));
         update(&mut estimate, &mut control, &mut rows);
         let fingerprint = OnceCell::new();
-        Ok(Self { simulation, rows, control, rotations, alternations, estimate, fingerprint })
+        Ok(Self { simulation, rows, control, rotations, alternations, initial, estimate, fingerprint })
     }
 
     fn checkpoint(&self, summary: &Summary, monitor: &StabilityMonitor) -> Checkpoint {
@@ -55,6 +64,7 @@ impl<'a> DynamicRun<'a> {
             summary,
             (monitor, &self.rotations, &self.alternations),
             (&self.rows, self.estimate.as_ref()),
+            &self.initial,
             &self.control,
         )
     }
@@ -75,13 +85,26 @@ fn rows(simulation: &Simulation) -> Rows {
 
 impl<'a> AnalysisRun<'a> {
     /// Runs a dynamic analysis.
-    pub(crate) fn dynamics(&mut self, simulation: &'a Simulation, settings: &Dynamics) -> RunResult {
-        let rows = rows(simulation);
+    pub(crate) fn dynamics(
+        &mut self,
+        simulation: &'a Simulation,
+        settings: &Dynamics,
+        given: Option<&StartState>,
+    ) -> RunResult {
+        let mut rows = rows(simulation);
         self.observer.begin(&rows.columns())?;
-        match DynamicRun::new(simulation, settings, rows) {
+        let Simulation { scaled, assembly, interrupt, .. } = simulation;
+        let initial =
+            InitialState::new((scaled, simulation.scales()), assembly, (interrupt, given), &mut rows);
+        let initial = match initial {
+            Ok(initial) => initial,
+            Err(failure) => return Ok(Err(failure)),
+        };
+        let start = initial.state.clone();
+        match DynamicRun::new(simulation, settings, initial, rows) {
             Ok(motion) => self.integrate(motion),
             Err(error) => {
-                let cause = find_cause(self.assembly, &self.assembly.initial(), 1.0, &error);
+                let cause = find_cause(self.assembly, &start, 1.0, &error);
                 Ok(Err(RunFailure::Solve(error, cause)))
             }
         }
@@ -95,7 +118,8 @@ impl<'a> AnalysisRun<'a> {
         from: &Checkpoint,
     ) -> Result<DynamicRun<'a>, Error> {
         from.check(simulation)?;
-        let motion = DynamicRun::new(simulation, settings, rows(simulation));
+        let initial = from.initial(simulation);
+        let motion = DynamicRun::new(simulation, settings, initial, rows(simulation));
         let mut motion = motion.map_err(|_| ResumeError::Damaged)?;
         let DynamicRun { rows, control, rotations, alternations, estimate, .. } = &mut motion;
         let monitors = (&mut self.monitor, rotations, alternations);
@@ -110,6 +134,8 @@ impl<'a> AnalysisRun<'a> {
     }
 
     fn integrate(&mut self, mut motion: DynamicRun<'a>) -> RunResult {
+        self.summary.initial.clone_from(&motion.initial.report);
+        self.summary.warnings.extend(motion.initial.warnings.iter().cloned());
         let result = self.step_to_end(&mut motion)?;
         if !matches!(result, Ok(ControlFlow::Continue(()))) {
             let Self { observer, summary, monitor, .. } = self;

@@ -6,15 +6,14 @@ use ancf_solver::eigen::{
     nonconservative_modes,
 };
 use ancf_solver::equations::{EquationsOfMotion, State};
-use ancf_solver::newton::SolveFailure;
 
-use super::equilibria::{equilibrium, regularised_equilibrium};
-use super::run::{AnalysisRun, RunFailure, RunResult};
+use super::run::{AnalysisRun, RunResult};
 use super::summary::EigenvalueCount;
 use crate::assembly::Assembly;
 use crate::estimate::{DiscretisationErrors, FactorErrors, FrequencyErrors, GapField};
-use crate::failure::{prebuckling_warning, unloaded};
-use crate::model::{About, Buckling, Model, Modes};
+use crate::failure::{RunFailure, prebuckling_warning, require_support, unloaded};
+use crate::initial::EquilibriumSearch;
+use crate::model::{About, Buckling, Model, Modes, Statics};
 use crate::results::Column;
 use crate::units::{Dimension, UnitQuantity};
 
@@ -118,24 +117,12 @@ impl FoundMode {
 impl AnalysisRun<'_> {
     /// Computes the state about which the model is linearised.
     fn state_about(&self, model: &Model, about: About) -> Result<State, RunFailure> {
-        let start = unloaded(self.assembly);
-        match (about, self.require_support(&start)) {
-            (About::Reference, _) => Ok(start),
-            (About::Equilibrium, Ok(())) => equilibrium(self.assembly, start, self.interrupt),
-            (About::Equilibrium, Err(free)) => {
-                // A model without support may be supported by its loads, such as a hanging rope.
-                let settled = regularised_equilibrium(self.assembly, model, start, self.interrupt);
-                let settled = settled.map_err(|error| match error.failure {
-                    SolveFailure::Interrupted => error.into(),
-                    _ => free,
-                })?;
-                self.require_support(&settled)?;
-                match self.assembly.system.with_active_terms(&settled) {
-                    Some(_) => equilibrium(self.assembly, settled, self.interrupt),
-                    None => Ok(settled),
-                }
-            }
+        if about == About::Reference {
+            return Ok(unloaded(self.assembly));
         }
+        let (assembly, interrupt, scales) = (self.assembly, self.interrupt, self.summary.scales);
+        let settings = &Statics::default();
+        EquilibriumSearch { model, scales, assembly, settings, interrupt }.run(&mut |_, _| ())
     }
 
     /// Computes natural modes, one row per mode.
@@ -233,7 +220,7 @@ impl AnalysisRun<'_> {
     pub(crate) fn buckling(&mut self, model: &Model, settings: &Buckling) -> RunResult {
         self.begin(&BUCKLING_COLUMNS)?;
         let (system, s) = (&self.assembly.system, unloaded(self.assembly));
-        let found = self.require_support(&s).and_then(|()| {
+        let found = require_support(self.assembly, &s, self.summary.scales).and_then(|()| {
             let (count, sense) = (settings.count as usize, settings.sense.into());
             Ok(match system.with_active_terms(&s) {
                 Some((complete, matrix)) => buckling(&complete, matrix, &s, count, sense, self.interrupt)?,

@@ -2,20 +2,17 @@ use std::io;
 use std::ops::ControlFlow;
 
 use ancf_solver::equations::State;
-use ancf_solver::newton::{EquilibriumError, Interrupt, Newton, SolveError, StopRule};
-use ancf_solver::statics::{
-    ArcLengthSteps, EndConditions, Equilibrium, LimitPoint, LoadIncrements, LoadRates, PathPoint, Response,
-    solve_regularised,
-};
+use ancf_solver::newton::Newton;
+use ancf_solver::statics::{ArcLengthSteps, EndConditions, Equilibrium, LimitPoint, PathPoint, Response};
 
-use super::outcome::unsupported_motions;
-use super::run::{AnalysisRun, RunFailure, RunResult};
+use super::run::{AnalysisRun, RunResult};
 use crate::assembly::Assembly;
 use crate::estimate::{DiscretisationErrors, GapField};
-use crate::failure::{find_cause, unloaded};
+use crate::failure::{RunFailure, require_support, unloaded};
+use crate::initial::{TurnCounter, equilibrium_failure, load_stepper};
 use crate::model::{Model, Path, Statics};
 use crate::results::{AngleRates, LOAD, Rows};
-use crate::units::{ScaleChoice, Scales};
+use crate::units::Scales;
 
 /// Columns of the solver at an equilibrium.
 pub(crate) const COLUMNS: [&str; 4] = ["iterations", "residual", "increment", "unstable"];
@@ -26,42 +23,6 @@ pub(crate) const PATH_COLUMNS: [&str; 3] = ["length", "slope", "limit"];
 fn solver_values(found: &Equilibrium) -> [f64; 4] {
     let unstable = found.unstable.map_or(f64::NAN, |count| count as f64);
     [f64::from(found.iterations), found.residual, found.increment, unstable]
-}
-
-/// Computes the equilibrium under all loads with the default settings, from a start state.
-pub(crate) fn equilibrium(
-    assembly: &Assembly,
-    start: State,
-    interrupt: &Interrupt,
-) -> Result<State, RunFailure> {
-    let Statics { stop, max_iterations, .. } = Statics::default();
-    let newton = Newton::new(assembly.system.matrix(), stop.into(), max_iterations)?;
-    let newton = newton.with_interrupt(interrupt.clone());
-    let mut statics =
-        ancf_solver::statics::LoadStepper::new(&assembly.system, newton, LoadIncrements::default(), start);
-    statics.advance(1.0, |_, _| ControlFlow::Continue(()))?;
-    Ok(statics.state().clone())
-}
-
-/// Stopping rule of the regularised iteration, close to rounding. Residual forces would appear as stiffness.
-const REGULARISED_STOP: StopRule = StopRule::Energy(1e-14);
-/// Maximum number of regularised iterations. Their convergence is slow.
-const REGULARISED_ITERATIONS: u32 = 1000;
-
-/// Computes the equilibrium of a model that is supported by its loads only, without contacts.
-pub(crate) fn regularised_equilibrium(
-    assembly: &Assembly,
-    model: &Model,
-    mut s: State,
-    interrupt: &Interrupt,
-) -> Result<State, SolveError> {
-    // A body of length L under gravity has the rate √(g/L), the inverse time of the automatic scales.
-    let automatic = Model { scales: ScaleChoice::Auto, ..model.clone() }.scales().scales;
-    s.load = 1.0;
-    let newton = Newton::new(assembly.system.matrix(), REGULARISED_STOP, REGULARISED_ITERATIONS)?;
-    let mut newton = newton.with_interrupt(interrupt.clone());
-    solve_regularised(&assembly.system, &mut newton, &mut s, automatic.time.recip())?;
-    Ok(s)
 }
 
 /// Estimates the errors of the mesh at an equilibrium.
@@ -75,12 +36,6 @@ fn estimate(
 }
 
 impl AnalysisRun<'_> {
-    /// Returns an error if a motion is unsupported in a state.
-    pub(crate) fn require_support(&self, s: &State) -> Result<(), RunFailure> {
-        let motions = unsupported_motions(self.assembly, s, self.summary.scales);
-        motions.map_or(Ok(()), |motions| Err(RunFailure::Mechanism(motions)))
-    }
-
     fn count_equilibrium(&mut self, load: f64, found: &Equilibrium) {
         let summary = &mut self.summary;
         summary.time = load;
@@ -104,18 +59,13 @@ impl AnalysisRun<'_> {
         let mut rows = Rows::new(assembly, self.summary.scales, LOAD, &COLUMNS);
         self.observer.begin(&rows.columns())?;
         let start = unloaded(assembly);
-        if let Err(reason) = self.require_support(&start) {
+        if let Err(reason) = require_support(assembly, &start, self.summary.scales) {
             return Ok(Err(reason));
         }
-        let Statics { first, largest, unstable, .. } = *settings;
-        let increments =
-            LoadIncrements { first, largest, unstable: unstable.into(), ..LoadIncrements::default() };
-        let matrix = assembly.system.matrix();
-        let newton = match Newton::new(matrix, settings.stop.into(), settings.max_iterations) {
-            Ok(newton) => newton.with_interrupt(self.interrupt.clone()),
+        let mut statics = match load_stepper(assembly, settings, start, self.interrupt) {
+            Ok(statics) => statics,
             Err(error) => return Ok(Err(error.into())),
         };
-        let mut statics = ancf_solver::statics::LoadStepper::new(&assembly.system, newton, increments, start);
         if let Err(error) = statics.include_near_terms() {
             return Ok(Err(error.into()));
         }
@@ -163,7 +113,7 @@ impl AnalysisRun<'_> {
             Rows::new(assembly, self.summary.scales, LOAD, &[COLUMNS.as_slice(), &PATH_COLUMNS].concat());
         self.observer.begin(&rows.columns())?;
         let start = unloaded(assembly);
-        if let Err(reason) = self.require_support(&start) {
+        if let Err(reason) = require_support(assembly, &start, self.summary.scales) {
             return Ok(Err(reason));
         }
         let steps = ArcLengthSteps { largest: settings.largest, ..ArcLengthSteps::from(settings.first) };
@@ -200,34 +150,6 @@ impl AnalysisRun<'_> {
         self.warn_of_ambiguous_turns(&rows, "arc length", 1.0);
         conclude(written?, settings.load == self.summary.time, ended)
     }
-}
-
-/// Counter of the turns of joint angles in statics.
-struct TurnCounter<'a> {
-    assembly: &'a Assembly,
-    /// Rates with respect to the load factor; `None` if no turns are counted.
-    rates: Option<LoadRates>,
-}
-
-impl<'a> TurnCounter<'a> {
-    fn new(assembly: &'a Assembly, rows: &Rows) -> Result<Self, SolveError> {
-        let rates = rows.counts_turns().then(|| LoadRates::new(assembly.system.matrix(), &assembly.rest()));
-        Ok(Self { assembly, rates: rates.transpose()? })
-    }
-
-    /// Counts the turns up to an equilibrium. Rates are those without contacts.
-    fn count(&mut self, rows: &mut Rows, s: &State) {
-        if let Some(rates) = &mut self.rates {
-            let s = rates.evaluate(&self.assembly.system, s);
-            rows.count_turns(s.load, s, AngleRates::Velocities);
-        }
-    }
-}
-
-/// Failure beyond the last equilibrium `s`, with its cause.
-fn equilibrium_failure(assembly: &Assembly, s: &State, error: EquilibriumError) -> RunFailure {
-    let cause = find_cause(assembly, s, error.load, &error.cause);
-    RunFailure::Equilibrium(error, cause)
 }
 
 /// Values of [`COLUMNS`] and [`PATH_COLUMNS`]. `limit` is 1 at a maximum of the load, −1 at a minimum, 0 elsewhere.

@@ -9,6 +9,7 @@ use super::simulation::Simulation;
 use super::summary::Summary;
 use super::{dynamics, eigen, equilibria};
 use crate::failure::{EquilibriumStability, StabilityMonitor};
+use crate::initial::StartState;
 use crate::model::{Analysis, Model};
 use crate::record::Sink;
 use crate::results::{Column, LOAD, TIME, columns};
@@ -40,9 +41,24 @@ impl Simulation {
     /// # Errors
     /// If the observer fails. A failed computation is an [`Outcome`](crate::Outcome); earlier rows are recorded.
     pub fn run(&self, observer: &mut dyn Observer) -> io::Result<Summary> {
+        self.run_with(None, observer)
+    }
+
+    /// Runs a dynamic analysis from a given state instead of the state of the model, at t = 0. Other analyses ignore it.
+    ///
+    /// Positions and velocities are projected onto the constraints. Accelerations and multipliers are computed. The initial
+    /// velocities of the bodies of the model are added.
+    ///
+    /// # Errors
+    /// As [`run`](Self::run).
+    pub fn run_from(&self, start: &StartState, observer: &mut dyn Observer) -> io::Result<Summary> {
+        self.run_with(Some(start), observer)
+    }
+
+    fn run_with(&self, start: Option<&StartState>, observer: &mut dyn Observer) -> io::Result<Summary> {
         let (mut run, scaled) = (self.begin(observer), &self.scaled);
         let result = match &scaled.analysis {
-            Analysis::Dynamics(settings) => run.dynamics(self, settings),
+            Analysis::Dynamics(settings) => run.dynamics(self, settings, start),
             Analysis::Statics(settings) => run.statics(scaled, settings),
             Analysis::Path(settings) => run.path(settings),
             Analysis::Modes(settings) => run.modes(scaled, settings),

@@ -1,14 +1,13 @@
 use std::io;
 use std::ops::ControlFlow;
 
-use ancf_solver::eigen::EigenError;
-use ancf_solver::newton::{EquilibriumError, Interrupt, SolveError, SolveFailure};
+use ancf_solver::newton::Interrupt;
 
 use super::observer::Observer;
 use super::summary::Summary;
 use crate::assembly::Assembly;
 use crate::errors::short;
-use crate::failure::{EquilibriumStability, FailureCause, StabilityMonitor};
+use crate::failure::{EquilibriumStability, RunFailure, StabilityMonitor};
 use crate::results::Rows;
 
 /// State of a running analysis.
@@ -38,45 +37,3 @@ impl AnalysisRun<'_> {
 /// Result of an analysis, in solver units: finished, stopped by the observer, or failed. The outer error is that of the
 /// observer.
 pub(crate) type RunResult = io::Result<Result<ControlFlow<()>, RunFailure>>;
-
-/// Failure that ends an analysis.
-pub(crate) enum RunFailure {
-    /// Failed iteration.
-    Solve(SolveError, Option<FailureCause>),
-    /// Failed search for an equilibrium.
-    Equilibrium(EquilibriumError, Option<FailureCause>),
-    /// Failed eigenvalue search.
-    Eigen(EigenError),
-    /// Description of unsupported motions.
-    Mechanism(String),
-}
-
-impl RunFailure {
-    /// True if the interrupt flag ended the analysis.
-    pub(crate) fn is_interruption(&self) -> bool {
-        match self {
-            Self::Solve(error, _) => error.failure == SolveFailure::Interrupted,
-            Self::Equilibrium(error, _) => error.cause.failure == SolveFailure::Interrupted,
-            Self::Eigen(error) => *error == EigenError::Interrupted,
-            Self::Mechanism(_) => false,
-        }
-    }
-}
-
-impl From<SolveError> for RunFailure {
-    fn from(error: SolveError) -> Self {
-        Self::Solve(error, None)
-    }
-}
-
-impl From<EquilibriumError> for RunFailure {
-    fn from(error: EquilibriumError) -> Self {
-        Self::Equilibrium(error, None)
-    }
-}
-
-impl From<EigenError> for RunFailure {
-    fn from(error: EigenError) -> Self {
-        Self::Eigen(error)
-    }
-}

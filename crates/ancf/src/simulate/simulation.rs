@@ -1,8 +1,10 @@
+use ancf_solver::equations::State;
 use ancf_solver::newton::Interrupt;
 
 use crate::assembly::Assembly;
 use crate::diagnosis::model_warnings;
 use crate::errors::{ModelError, ModelErrors, quoted};
+use crate::initial::{GivenState, StartState};
 use crate::joints::{CustomJoint, Joint, JointKind};
 use crate::loads::{CustomLoad, Load, LoadKind};
 use crate::model::{Model, Section, SectionObject};
@@ -46,6 +48,21 @@ impl Simulation {
     /// Equations of motion of the model.
     pub fn assembly(&self) -> &Assembly {
         &self.assembly
+    }
+
+    /// State of this simulation in the user's units, from which a simulation of the same structure can start. `source` describes
+    /// it, for messages and reports.
+    pub fn given_state(&self, state: &State, source: impl Into<String>) -> GivenState {
+        GivenState::new(&self.assembly, self.scales(), state, source.into())
+    }
+
+    /// Start of this simulation in a given state.
+    ///
+    /// # Errors
+    /// If the state belongs to another structure.
+    pub fn start_from(&self, given: &GivenState) -> Result<StartState, ModelErrors> {
+        let state = given.state(&self.assembly, self.scales())?;
+        Ok(StartState { state, source: given.source().to_owned() })
     }
 
     /// Units in which the equations are solved.

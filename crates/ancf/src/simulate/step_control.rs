@@ -44,9 +44,10 @@ const TIME_TOLERANCE: f64 = 1e-9;
 const SMALL_REMAINDER: f64 = 0.01;
 
 impl<'a> StepControl<'a> {
-    /// Computes the initial state of an analysis.
+    /// Computes consistent initial values of an analysis from its initial state.
     pub(crate) fn new(
         model: &Model,
+        start: State,
         settings: &crate::model::Dynamics,
         assembly: &'a Assembly,
         interrupt: Interrupt,
@@ -56,9 +57,8 @@ impl<'a> StepControl<'a> {
         let newton = newton.with_interrupt(interrupt);
         let newton = if settings.newton == NewtonMethod::Full { newton.with_new_tangents() } else { newton };
         let (system, scheme) = (&assembly.system, settings.scheme.numbers());
-        let mut dynamics =
-            TimeStepper::new(system, scheme, newton, settings.max_halvings, assembly.start(model))
-                .with_energy_guard(EnergyGuard { gain: settings.energy_guard.gain });
+        let mut dynamics = TimeStepper::new(system, scheme, newton, settings.max_halvings, start)
+            .with_energy_guard(EnergyGuard { gain: settings.energy_guard.gain });
         if model.output.errors {
             dynamics = dynamics.with_errors(coordinate_sizes(model, assembly), has_mesh(assembly));
         }

@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 use crate::assembly::Assembly;
 use crate::errors::short;
 use crate::estimate::{BodyError, DiscretisationErrors, MeshStep, MotionErrors};
+use crate::initial::InitialReport;
 use crate::model::Analysis;
 use crate::units::{ChosenScales, Scales};
 
@@ -99,6 +100,9 @@ pub struct Summary {
     /// Modes and buckling: verified number of eigenvalues.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub eigenvalues: Option<EigenvalueCount>,
+    /// Dynamics: state from which the motion starts, if it is not the undeformed state.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub initial: Option<InitialReport>,
     /// Statics: estimated errors of the mesh in the last state. Modes and buckling: those of the frequencies and load factors.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub errors: Option<DiscretisationErrors>,
@@ -129,6 +133,7 @@ impl Summary {
             scales_reason: chosen.reason,
             redundant: assembly.redundant().iter().map(ToString::to_string).collect(),
             eigenvalues: None,
+            initial: None,
             errors: None,
             motion_errors: None,
             meshes: Vec::new(),

@@ -24,6 +24,9 @@ __all__ = [
     "GeneralizedAlpha",
     "IncrementCriterion",
     "InitialAccelerations",
+    "InitialOrigin",
+    "InitialState",
+    "InitialStatics",
     "InstabilityAction",
     "LinearizationState",
     "LoadDirection",
@@ -451,3 +454,65 @@ class Buckling(Part):
 
 Analysis: TypeAlias = Dynamics | Statics | EquilibriumPath | Modes | Buckling
 """Analysis to run."""
+
+InitialOrigin: TypeAlias = Literal["undeformed", "equilibrium"] | str
+"""Origin of the state at the start of dynamics.
+
+* ``"undeformed"``: Undeformed state, or the state with closed gaps.
+* ``"equilibrium"``: Equilibrium under all loads and drives with their values at t = 0.
+"""
+
+
+@checked_arguments
+@dataclass(kw_only=True, slots=True, eq=False, repr=False)
+class InitialStatics(Part):
+    """Settings of the search for the equilibrium at the start. The load factor increases from 0 to 1.
+
+    Attributes
+    ----------
+    first
+        First increment of the load factor (> 0, <= 1). Default: ``1.0``.
+    largest
+        Largest increment of the load factor (> 0, <= 1). Default: ``1.0``.
+    max_iterations
+        Maximum number of Newton iterations of an increment (>= 1). Default: ``100``.
+    stop
+        Convergence criterion of the Newton iteration. Residual forces would set the system in motion.
+        Default: ``EnergyCriterion(tolerance=1e-12)``.
+    unstable
+        Continuation after a loss of stability. One of ``"stop"``, ``"follow"``, ``"leave"``. Default:
+        ``"follow"``.
+
+    """
+
+    _form = "InitialStatics"
+
+    first: float | None = None
+    largest: float | None = None
+    max_iterations: int | None = None
+    stop: ConvergenceCriterion | None = None
+    unstable: InstabilityAction | None = None
+
+
+@checked_arguments
+@dataclass(kw_only=True, slots=True, eq=False, repr=False)
+class InitialState(Part):
+    """State at the start of dynamics. Other analyses ignore it.
+
+    Attributes
+    ----------
+    from_
+        Origin of the state. The initial velocities of the bodies are added to it. Default: ``"undeformed"``.
+    statics
+        Search for the equilibrium. Default: ``InitialStatics(first=1.0, largest=1.0, max_iterations=100,
+        stop=EnergyCriterion(tolerance=1e-12), unstable="follow")``.
+    time
+        Time of a state in the results folder, time; the last one by default.
+
+    """
+
+    _form = "Initial"
+
+    from_: InitialOrigin | None = None
+    statics: InitialStatics | None = None
+    time: float | None = None

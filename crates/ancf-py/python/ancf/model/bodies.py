@@ -53,12 +53,17 @@ Formulation: TypeAlias = Literal["continuum", "enhanced", "linked", "quadratic"]
 @checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class InitialMotion(Part):
-    """Initial motion of a body, with the velocity field of a rigid body: v(r) = v₀ + ω × (r − c).
+    """Initial motion of a body.
+
+    The velocity field of a rigid body, v(r) = v₀ + ω × (r − c), plus a motion along its own axis.
 
     Attributes
     ----------
     about
         Point c, length; the start of the axis, or the centre of a rigid body, by default.
+    axial
+        Speed of a beam or cable along its own axis towards its end, length/time. Its shape does not change.
+        Default: ``0.0``.
     spin
         Angular velocity ω in the global frame, radians/time. Default: ``[0.0, 0.0, 0.0]``.
     velocity
@@ -69,6 +74,7 @@ class InitialMotion(Part):
     _form = "InitialMotion"
 
     about: Vector | None = None
+    axial: float | None = None
     spin: Vector | None = None
     velocity: Vector | None = None
 

@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import ClassVar, Literal, TypeAlias
 
-from ancf.model.analyses import Analysis
+from ancf.model.analyses import Analysis, InitialState
 from ancf.model.base.arguments import checked_arguments
 from ancf.model.base.part import Part, Vector
 from ancf.model.bodies import Body
@@ -134,6 +134,8 @@ class Model(Document):
         Couplings of joints, such as gears, racks and belts.
     gravity
         Acceleration of gravity, length/time²; no gravity by default.
+    initial
+        State at the start of dynamics; the undeformed state by default.
     joints
         Joints between bodies, or between a body and the ground.
     loads
@@ -164,6 +166,7 @@ class Model(Document):
     contacts: Sequence[Contact] | None = None
     couplings: Sequence[Coupling] | None = None
     gravity: Vector | None = None
+    initial: InitialState | None = None
     joints: Sequence[Joint] | None = None
     loads: Sequence[Load] | None = None
     materials: Mapping[str, Material] | None = None

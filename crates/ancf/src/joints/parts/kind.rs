@@ -127,8 +127,8 @@ pub trait JointContext {
     /// Characteristic length of the model.
     fn length(&self) -> f64;
 
-    /// True if the analysis is a motion.
-    fn is_dynamic(&self) -> bool;
+    /// True if the analysis is a motion from the undeformed state, where drives are zero.
+    fn starts_undeformed(&self) -> bool;
 }
 
 /// Symbol of a joint in figures.

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::units::Scaled;
 
-/// Initial motion of a body, with the velocity field of a rigid body: v(r) = v₀ + ω × (r − c).
+/// Initial motion of a body: the velocity field of a rigid body, v(r) = v₀ + ω × (r − c), plus a motion along its own axis.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(default, deny_unknown_fields)]
 pub struct InitialMotion {
@@ -19,12 +19,15 @@ pub struct InitialMotion {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[unit(length)]
     pub about: Option<[f64; 3]>,
+    /// Speed of a beam or cable along its own axis towards its end, length/time. Its shape does not change.
+    #[unit(length / time)]
+    pub axial: f64,
 }
 
 impl InitialMotion {
     /// True if all keys have their defaults: the body starts at rest.
     pub fn is_rest(&self) -> bool {
-        self.velocity == [0.0; 3] && self.spin == [0.0; 3] && self.about.is_none()
+        self.velocity == [0.0; 3] && self.spin == [0.0; 3] && self.about.is_none() && self.axial == 0.0
     }
 
     /// Velocity of a nodal vector of a body whose axis begins at `start`.

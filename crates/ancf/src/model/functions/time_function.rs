@@ -148,6 +148,8 @@ impl TimeFunction {
 pub(crate) enum TimeMode {
     /// As given, for dynamics.
     AsGiven,
+    /// Values at t = 0, for the equilibrium from which a motion starts.
+    AtStart,
     /// 0, for closing gaps before drives begin.
     Zero,
     /// 1, for statics, where the load factor varies the loads.
@@ -157,8 +159,10 @@ pub(crate) enum TimeMode {
 impl TimeMode {
     /// Compiles a function of time of a checked model.
     pub(crate) fn function(self, time: &TimeFunction) -> Function {
+        let given = || time.compile().expect("the formulas of a checked model have no syntax errors");
         match self {
-            Self::AsGiven => time.compile().expect("the formulas of a checked model have no syntax errors"),
+            Self::AsGiven => given(),
+            Self::AtStart => Function::Constant(given().value(0.0)),
             Self::Zero => Function::Constant(0.0),
             Self::One => Function::ONE,
         }

@@ -35,7 +35,7 @@ fn momenta_of(assembly: &Assembly, s: &State) -> [Vector3<f64>; 2] {
 /// Momenta of a free rod with initial velocity and spin: exact at the start, conserved in the motion.
 #[test]
 fn free_rod_conserves_its_momenta() {
-    let motion = InitialMotion { velocity: VELOCITY, spin: SPIN, about: Some([0.5, 0.0, 0.0]) };
+    let motion = InitialMotion { velocity: VELOCITY, spin: SPIN, about: Some([0.5, 0.0, 0.0]), axial: 0.0 };
     let assembly = weightless(moving(rod::free(4), motion)).assemble().unwrap();
     let model = weightless(moving(rod::free(4), motion));
     let start = assembly.start(&model);
@@ -215,7 +215,7 @@ fn statics_starts_with_closed_gaps() {
 /// Initial velocities of slopes do not depend on slope coordinates and scales.
 #[test]
 fn initial_velocities_do_not_depend_on_scales() {
-    let motion = InitialMotion { velocity: VELOCITY, spin: SPIN, about: Some([0.2, 0.3, -0.1]) };
+    let motion = InitialMotion { velocity: VELOCITY, spin: SPIN, about: Some([0.2, 0.3, -0.1]), axial: 0.0 };
     let model = moving(rod::free(3), motion);
     let mut other = model.clone();
     other.scales = ancf::model::ScaleChoice::Given { length: 0.25, force: 8.0, time: Some(0.125) };
@@ -225,4 +225,52 @@ fn initial_velocities_do_not_depend_on_scales() {
     let v = a.vectors("tip.v")[0];
     let expected = Vector3::from(VELOCITY) + Vector3::from(SPIN).cross(&Vector3::new(0.8, -0.3, 0.1));
     assert!((v - expected).norm() < 1e-12 * expected.norm(), "{v} {expected}");
+}
+
+/// Momentum of a straight rod that moves along its axis, in every formulation.
+#[test]
+fn axial_motion_of_a_straight_rod_is_a_translation() {
+    for formulation in crate::common::models::beams::FORMULATIONS {
+        let mut model = moving(rod::free(3), InitialMotion { axial: 2.5, ..InitialMotion::default() });
+        rod::beam(&mut model).formulation = formulation;
+        let assembly = weightless(model.clone()).assemble().unwrap();
+        let [axial, translation] = [
+            assembly.start(&model),
+            assembly.start(&moving(
+                model,
+                InitialMotion { velocity: [2.5, 0.0, 0.0], ..InitialMotion::default() },
+            )),
+        ];
+        for (a, b) in axial.v.iter().zip(&translation.v) {
+            assert!((a - b).abs() < 1e-12, "{formulation:?}: {a} {b}");
+        }
+    }
+}
+
+/// The motion of a circular arc along its axis is the rotation about its centre. The difference is of second order in the length of
+/// the elements.
+#[test]
+fn axial_motion_of_an_arc_is_a_rotation() {
+    let (radius, spin) = (0.5, 3.0);
+    let end = |angle: f64| [radius * angle.sin(), radius * (1.0 - angle.cos()), 0.0];
+    for formulation in crate::common::models::beams::FORMULATIONS {
+        let difference = |elements: u32| {
+            let arc = |motion: InitialMotion| {
+                let mut model = moving(rod::free(elements), motion);
+                let beam = rod::beam(&mut model);
+                (beam.to, beam.formulation) = (end(1.4), formulation);
+                beam.shape = ancf::model::Shape::Arc { through: end(0.7) };
+                model
+            };
+            let along = arc(InitialMotion { axial: radius * spin, ..InitialMotion::default() });
+            let about = Some([0.0, radius, 0.0]);
+            let around = arc(InitialMotion { spin: [0.0, 0.0, spin], about, ..InitialMotion::default() });
+            let assembly = along.assemble().unwrap();
+            let [a, b] = [assembly.start(&along), assembly.start(&around)];
+            let largest = b.v.iter().fold(0.0_f64, |largest, v| largest.max(v.abs()));
+            a.v.iter().zip(&b.v).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max) / largest
+        };
+        let [coarse, fine] = [6, 24].map(difference);
+        assert!(coarse < 0.05 && fine < coarse / 8.0, "{formulation:?}: {coarse:e} {fine:e}");
+    }
 }

@@ -50,6 +50,7 @@ fn falling(analysis: &str) -> Model {
     ))
 }
 
+const EQUILIBRIUM: &str = "[initial]\nfrom = \"equilibrium\"";
 const HALF: &str = "scheme = { spectral_radius = 0.5 }";
 
 /// Short runs with errors.
@@ -85,6 +86,14 @@ fn short_runs() -> Vec<(&'static str, Model)> {
             ),
         ),
         ("rotor", file("rotor", "duration = 0.003\nstep = 1e-4\nscheme = { spectral_radius = 0.95 }")),
+        (
+            "from equilibrium",
+            beam(damped, PULSE, &format!("duration = 0.05\nstep = 2e-3\n{HALF}\n{EQUILIBRIUM}")),
+        ),
+        (
+            "from equilibrium, adaptive",
+            beam("", PULSE, &format!("duration = 0.1\nstep = {{ tolerance = 1e-4 }}\n{HALF}\n{EQUILIBRIUM}")),
+        ),
         ("adaptive", beam("", PULSE, &format!("duration = 0.1\nstep = {{ tolerance = 1e-4 }}\n{HALF}"))),
         (
             "adaptive, at intervals",
@@ -248,7 +257,7 @@ fn checkpoints_of_other_models_are_rejected() {
     // The first byte is the version of the format.
     let mut other = all[3].clone();
     other[0] += 1;
-    assert!(matches!(resume_error(&model, &read(&other)), ResumeError::Version { found: 6, expected: 5 }));
+    assert!(matches!(resume_error(&model, &read(&other)), ResumeError::Version { found: 7, expected: 6 }));
 }
 
 /// Resumes from damaged data with a limit on the queries, since the run may be slow.

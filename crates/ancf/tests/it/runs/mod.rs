@@ -2,8 +2,10 @@
 
 mod body_motion;
 mod checkpoints;
+mod equilibrium_starts;
 mod extensions;
 mod failures;
+mod given_states;
 mod observers;
 mod recorder;
 mod turns;

@@ -4,9 +4,9 @@
 
 use ancf::Model;
 use ancf::model::{
-    Analysis, At, Beam, Body, Clamp, ClampedGradients, Dynamics, End, EnergyGuard, Formulation, Joint,
-    Material, NamedPosition, NewtonMethod, Output, Place, Probe, Revolute, ScaleChoice, Scheme, Section,
-    Spherical, Start, Step, Stop,
+    Analysis, At, Beam, Body, Clamp, ClampedGradients, Dynamics, End, EnergyGuard, Formulation, Initial,
+    Joint, Material, NamedPosition, NewtonMethod, Output, Place, Probe, Revolute, ScaleChoice, Scheme,
+    Section, Spherical, Start, Step, Stop,
 };
 
 /// Length L.
@@ -31,6 +31,7 @@ pub(crate) fn free(elements: u32) -> Model {
         loads: Vec::new(),
         assemble: false,
         contacts: Vec::new(),
+        initial: Initial::default(),
         scales: ScaleChoice::None,
         analysis: Analysis::Dynamics(Dynamics {
             duration: 2.0,

@@ -1,0 +1,113 @@
+use std::ops::ControlFlow;
+
+use ancf_solver::equations::{EquationsOfMotion, State, System};
+use ancf_solver::newton::{
+    EquilibriumError, Interrupt, Newton, NewtonReport, SolveError, SolveFailure, StopRule,
+};
+use ancf_solver::statics::{Equilibrium, LoadIncrements, LoadStepper, solve_regularised};
+
+use crate::assembly::Assembly;
+use crate::failure::{RunFailure, find_cause, instability, require_support, unloaded};
+use crate::model::{Model, Statics};
+use crate::units::{ScaleChoice, Scales};
+
+/// Search for the equilibrium of a model under all its loads.
+pub(crate) struct EquilibriumSearch<'a> {
+    /// Model in solver units, and its scales.
+    pub(crate) model: &'a Model,
+    pub(crate) scales: Scales,
+    pub(crate) assembly: &'a Assembly,
+    pub(crate) settings: &'a Statics,
+    pub(crate) interrupt: &'a Interrupt,
+}
+
+impl EquilibriumSearch<'_> {
+    /// Returns the equilibrium. `each` receives the start of the load increments and every equilibrium.
+    ///
+    /// A model without support may be supported by its loads, such as a hanging rope.
+    ///
+    /// # Errors
+    /// If a motion is unsupported, or the equilibrium is not found.
+    pub(crate) fn run(&self, each: &mut Each<'_>) -> Result<State, RunFailure> {
+        let start = unloaded(self.assembly);
+        match require_support(self.assembly, &start, self.scales) {
+            Ok(()) => self.loaded(start, each),
+            Err(free) => self.supported_by_loads(start, free, each),
+        }
+    }
+
+    /// Returns the equilibrium by load increments from a state.
+    fn loaded(&self, start: State, each: &mut Each<'_>) -> Result<State, RunFailure> {
+        each(&start, None);
+        let mut statics = load_stepper(self.assembly, self.settings, start, self.interrupt)?;
+        let ended = statics.advance(self.settings.load, |s, found| {
+            each(s, Some(found));
+            ControlFlow::Continue(())
+        });
+        let state = statics.state();
+        ended.map_err(|error| equilibrium_failure(self.assembly, state, error))?;
+        Ok(state.clone())
+    }
+
+    /// Returns the equilibrium of a model without support. `free` is the failure if loads do not support it either.
+    fn supported_by_loads(
+        &self,
+        start: State,
+        free: RunFailure,
+        each: &mut Each<'_>,
+    ) -> Result<State, RunFailure> {
+        let (settled, NewtonReport { iterations, residual, increment, floor }) =
+            self.regularised(start).map_err(|error| match error.failure {
+                SolveFailure::Interrupted => error.into(),
+                _ => free,
+            })?;
+        require_support(self.assembly, &settled, self.scales)?;
+        let unstable = Some(instability(self.assembly, &settled).map_or(0, |found| found.count));
+        let energy = self.assembly.system.energy(&settled);
+        let found = Equilibrium { iterations, attempts: 1, residual, increment, floor, unstable, energy };
+        each(&settled, Some(&found));
+        match self.assembly.system.with_active_terms(&settled) {
+            Some(_) => self.loaded(settled, each),
+            None => Ok(settled),
+        }
+    }
+
+    /// Returns the equilibrium of a model that is supported by its loads only, without contacts.
+    fn regularised(&self, mut s: State) -> Result<(State, NewtonReport), SolveError> {
+        // A body of length L under gravity has the rate √(g/L), the inverse time of the automatic scales.
+        let automatic = Model { scales: ScaleChoice::Auto, ..self.model.clone() }.scales().scales;
+        s.load = self.settings.load;
+        let newton = Newton::new(self.assembly.system.matrix(), REGULARISED_STOP, REGULARISED_ITERATIONS)?;
+        let mut newton = newton.with_interrupt(self.interrupt.clone());
+        let report = solve_regularised(&self.assembly.system, &mut newton, &mut s, automatic.time.recip())?;
+        Ok((s, report))
+    }
+}
+
+/// Receiver of the start of load increments, and of every equilibrium with its report.
+pub(crate) type Each<'a> = dyn FnMut(&State, Option<&Equilibrium>) + 'a;
+
+/// Stopping rule of the regularised iteration, close to rounding. Residual forces would appear as stiffness.
+const REGULARISED_STOP: StopRule = StopRule::Energy(1e-14);
+/// Maximum number of regularised iterations. Their convergence is slow.
+const REGULARISED_ITERATIONS: u32 = 1000;
+
+/// Load increments of an analysis from a state.
+pub(crate) fn load_stepper<'a>(
+    assembly: &'a Assembly,
+    settings: &Statics,
+    start: State,
+    interrupt: &Interrupt,
+) -> Result<LoadStepper<'a, System>, SolveError> {
+    let Statics { first, largest, unstable, stop, max_iterations, .. } = *settings;
+    let increments =
+        LoadIncrements { first, largest, unstable: unstable.into(), ..LoadIncrements::default() };
+    let newton = Newton::new(assembly.system.matrix(), stop.into(), max_iterations)?;
+    Ok(LoadStepper::new(&assembly.system, newton.with_interrupt(interrupt.clone()), increments, start))
+}
+
+/// Failure beyond the last equilibrium `s`, with its cause.
+pub(crate) fn equilibrium_failure(assembly: &Assembly, s: &State, error: EquilibriumError) -> RunFailure {
+    let cause = find_cause(assembly, s, error.load, &error.cause);
+    RunFailure::Equilibrium(error, cause)
+}

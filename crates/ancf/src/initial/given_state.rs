@@ -1,0 +1,166 @@
+use ancf_mechanics::kinematics::NodalVector;
+use ancf_solver::equations::State;
+use nalgebra::Vector3;
+
+use crate::assembly::Assembly;
+use crate::errors::{ModelError, ModelErrors, quoted};
+use crate::units::{Dimension, Scales};
+
+/// State given for the start of a motion, by body and joint, in the user's units.
+#[derive(Clone, Debug, PartialEq)]
+pub struct GivenState {
+    /// Description of the origin, for messages and reports.
+    source: String,
+    bodies: Vec<GivenBody>,
+    joints: Vec<GivenJoint>,
+}
+
+/// Nodal vectors of a body in the order of its coordinates.
+#[derive(Clone, Debug, PartialEq)]
+struct GivenBody {
+    name: String,
+    vectors: Vec<GivenVector>,
+}
+
+/// Nodal vector: a position, or a direction relative to the magnitude of its reference value.
+#[derive(Clone, Debug, PartialEq)]
+struct GivenVector {
+    is_position: bool,
+    reference: Vector3<f64>,
+    /// Change from the reference value. Strains are computed from it, so it is not the difference of two positions.
+    change: Vector3<f64>,
+    rate: Vector3<f64>,
+}
+
+/// Coordinates of a joint with their rates.
+#[derive(Clone, Debug, PartialEq)]
+struct GivenJoint {
+    name: String,
+    coordinates: Vec<[f64; 2]>,
+}
+
+/// Relative difference of reference values up to which structures are equal.
+const EQUAL: f64 = 1e-9;
+
+impl GivenState {
+    /// State of an assembly in solver units with their scales.
+    pub(crate) fn new(assembly: &Assembly, scales: Scales, state: &State, source: String) -> Self {
+        let rest = assembly.rest();
+        let bodies = assembly.bodies().map(|(name, body)| {
+            let vectors =
+                body.vectors(&rest).into_iter().map(|vector| GivenVector::new(&vector, scales, state));
+            GivenBody { name: name.to_owned(), vectors: vectors.collect() }
+        });
+        let joints = assembly.joints.iter().map(|joint| {
+            let unit = |c| unit_of_coordinate(assembly, c, scales);
+            let coordinates = joint.coordinates.clone();
+            let values = coordinates.map(|c| [state.q[c] * unit(c), state.v[c] * unit(c) / scales.time]);
+            GivenJoint { name: joint.name.clone(), coordinates: values.collect() }
+        });
+        Self { source, bodies: bodies.collect(), joints: joints.collect() }
+    }
+
+    /// Description of the origin.
+    pub fn source(&self) -> &str {
+        &self.source
+    }
+
+    /// State of an assembly of the same structure, at t = 0 in solver units with their scales.
+    ///
+    /// # Errors
+    /// If bodies or coordinates of joints differ.
+    pub(crate) fn state(&self, assembly: &Assembly, scales: Scales) -> Result<State, ModelErrors> {
+        let mut s = assembly.rest();
+        let rest = s.clone();
+        if let Some(surplus) =
+            self.bodies.iter().find(|body| assembly.bodies().all(|(name, _)| name != body.name))
+        {
+            return Err(self.mismatch(format!("a further body {}", quoted(&surplus.name))));
+        }
+        for (name, body) in assembly.bodies() {
+            let given = self.bodies.iter().find(|given| given.name == name);
+            let given = given.ok_or_else(|| self.mismatch(format!("no body {}", quoted(name))))?;
+            let vectors = body.vectors(&rest);
+            if let Some(difference) = given.difference(&vectors, scales) {
+                return Err(self.mismatch(format!("{difference} body {}", quoted(name))));
+            }
+            vectors
+                .iter()
+                .zip(&given.vectors)
+                .for_each(|(vector, given)| given.write(vector, scales, &mut s));
+        }
+        for joint in assembly.joints.iter().filter(|joint| !joint.coordinates.is_empty()) {
+            let given = self.joints.iter().find(|given| given.name == joint.name);
+            let given = given.map_or(&[][..], |given| &given.coordinates);
+            if given.len() != joint.coordinates.len() {
+                let count = joint.coordinates.len();
+                let found =
+                    format!("{} coordinates of joint {}, not {count}", given.len(), quoted(&joint.name));
+                return Err(self.mismatch(found));
+            }
+            for (c, [value, rate]) in joint.coordinates.clone().zip(given) {
+                let unit = unit_of_coordinate(assembly, c, scales);
+                (s.q[c], s.v[c]) = (value / unit, rate / unit * scales.time);
+            }
+        }
+        Ok(s)
+    }
+
+    fn mismatch(&self, found: String) -> ModelErrors {
+        let found = format!("{}, which has {found}", self.source);
+        let error = ModelError::new("initial.from", found, "a state of the same structure");
+        ModelErrors(vec![error.hint(
+            "bodies, elements, formulations, and drives, springs, friction and couplings of joints must be equal; \
+             materials, sections, loads and the analysis may differ",
+        )])
+    }
+}
+
+/// User's unit of a coordinate of a joint: a length of displacements, otherwise 1.
+fn unit_of_coordinate(assembly: &Assembly, c: usize, scales: Scales) -> f64 {
+    let recorded = assembly.joint_coordinates().find(|(_, recorded)| recorded.coordinate == Some(c));
+    let is_length = recorded.is_some_and(|(_, recorded)| recorded.dimensions()[0] == Dimension::LENGTH);
+    if is_length { scales.length } else { 1.0 }
+}
+
+impl GivenBody {
+    /// Description of a difference of the structure; `None` if it is the same.
+    fn difference(&self, vectors: &[NodalVector], scales: Scales) -> Option<&'static str> {
+        let is_same_kind = |(a, b): (&GivenVector, &NodalVector)| a.is_position == b.is_position();
+        if self.vectors.len() != vectors.len() || !self.vectors.iter().zip(vectors).all(is_same_kind) {
+            return Some("other elements of");
+        }
+        let positions = || self.vectors.iter().filter(|vector| vector.is_position);
+        let size = positions().map(|vector| vector.reference.norm()).fold(0.0, f64::max);
+        let is_same = |(given, vector): (&GivenVector, &NodalVector)| {
+            let (own, size) = match given.is_position {
+                true => (vector.value * scales.length, size),
+                false => (vector.value.normalize(), 1.0),
+            };
+            (own - given.reference).norm() <= EQUAL * size
+        };
+        (!self.vectors.iter().zip(vectors).all(is_same)).then_some("another undeformed shape or place of")
+    }
+}
+
+impl GivenVector {
+    fn new(reference: &NodalVector, scales: Scales, s: &State) -> Self {
+        let (first, is_position) = (reference.first, reference.is_position());
+        let unit = if is_position { scales.length } else { reference.value.norm().recip() };
+        let part = |x: &[f64]| Vector3::from_column_slice(&x[first..first + 3]);
+        Self {
+            is_position,
+            reference: reference.value * unit,
+            change: part(&s.q) * unit,
+            rate: part(&s.v) * (unit / scales.time),
+        }
+    }
+
+    /// Writes the vector into a state in solver units.
+    fn write(&self, reference: &NodalVector, scales: Scales, s: &mut State) {
+        let first = reference.first;
+        let unit = if self.is_position { scales.length.recip() } else { reference.value.norm() };
+        s.q[first..first + 3].copy_from_slice((self.change * unit).as_slice());
+        s.v[first..first + 3].copy_from_slice((self.rate * (unit * scales.time)).as_slice());
+    }
+}

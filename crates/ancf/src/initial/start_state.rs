@@ -1,0 +1,80 @@
+use ancf_solver::dynamics::consistent_positions;
+use ancf_solver::equations::State;
+use ancf_solver::newton::SolveError;
+
+use super::initial_state::InitialState;
+use super::report::InitialReport;
+use crate::assembly::Assembly;
+use crate::diagnosis::projection_warning;
+use crate::errors::short;
+use crate::failure::{FailureCause, FailurePlace, RunFailure};
+use crate::model::Model;
+use crate::units::Scales;
+
+/// Given state of a simulation, from which [`Simulation::run_from`](crate::Simulation::run_from) starts.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StartState {
+    pub(crate) state: State,
+    pub(crate) source: String,
+}
+
+/// Displacement by the projection of positions, relative to the length of the model, that is reported as a warning.
+const MOVED: f64 = 1e-6;
+/// Relative kinetic energy of the correction of velocities that is reported as a warning. Stored velocities violate constraints
+/// by the errors of their time steps.
+const CORRECTED: f64 = 1e-6;
+
+impl StartState {
+    /// Initial state with consistent positions, and with the velocities of the model added.
+    ///
+    /// # Errors
+    /// If the positions cannot be projected onto the constraints.
+    pub(crate) fn initial_state(
+        &self,
+        (model, scales): (&Model, Scales),
+        assembly: &Assembly,
+    ) -> Result<InitialState, RunFailure> {
+        let mut state = self.state.clone();
+        let length = model.length();
+        consistent_positions(&assembly.system, &mut assembly.system.matrix(), &mut state, length)
+            .map_err(|error| self.failure(error))?;
+        let moved = displacement(assembly, &self.state, &state);
+        let state = assembly.with_motions(state, model);
+        let corrected = assembly.projection(&state).unwrap_or(0.0);
+        let source = self.source.clone();
+        let mut warnings = Vec::new();
+        if moved > MOVED * length {
+            warnings.push(format!(
+                "the positions of {source} violate constraints of joints and drives at t = 0: their correction moves a point by {}",
+                short(moved * scales.length)
+            ));
+        }
+        if corrected > CORRECTED {
+            warnings.extend(projection_warning(corrected));
+        }
+        let report = InitialReport::Given { source, moved: moved * scales.length, corrected };
+        Ok(InitialState { state, report: Some(report), warnings })
+    }
+}
+
+impl StartState {
+    /// Failure of the projection of the positions.
+    fn failure(&self, error: SolveError) -> RunFailure {
+        let reason = format!(
+            "the positions of {} are not near positions that joints and drives permit at t = 0",
+            self.source
+        );
+        let at = FailurePlace::Text("`initial.from`".into());
+        RunFailure::Solve(error, Some(FailureCause { reason, at, advice: FOR_POSITIONS }))
+    }
+}
+
+/// Advice after a failed projection of positions.
+const FOR_POSITIONS: &str = "a state of a run with the same joints, and drives with the same values at t = 0";
+
+/// Largest displacement of nodes and centres between two states.
+fn displacement(assembly: &Assembly, from: &State, to: &State) -> f64 {
+    let pairs = assembly.bodies().flat_map(|(_, body)| body.vectors(from).into_iter().zip(body.vectors(to)));
+    let moved = pairs.filter(|(vector, _)| vector.is_position()).map(|(a, b)| (b.value - a.value).norm());
+    moved.fold(0.0, f64::max)
+}

@@ -68,16 +68,21 @@ scheme = {scheme}
 stop = {{ rule = "energy", tolerance = {tolerance} }}
 
 [output]
-csv = false
+parquet = false
 interval = {INTERVAL}
 """
 
 
 def run(problem: Problem, kind: str, n: int, step: float, tolerance: float = TOLERANCES[0]) -> Run:
-    """A whole process: reads the model, computes, writes the tip at the instants."""
+    """A rod of n elements."""
+    return solve(model(problem, kind, n, step, tolerance))
+
+
+def solve(text: str) -> Run:
+    """A whole process: reads the model, computes, writes; returns the mean displacement of all probes."""
     with tempfile.TemporaryDirectory() as folder:
         file, out = Path(folder) / "model.toml", Path(folder) / "out"
-        file.write_text(model(problem, kind, n, step, tolerance))
+        file.write_text(text)
         before = used()
         command = [PROGRAM, "run", file, "--output", out, "--quiet"]
         done = subprocess.run(command, capture_output=True, text=True, check=False)
@@ -86,9 +91,10 @@ def run(problem: Problem, kind: str, n: int, step: float, tolerance: float = TOL
             raise RuntimeError(done.stderr)
         with (out / "probes.csv").open() as file:
             names = file.readline().rstrip().split(",")
-            columns = dict(zip(names, np.loadtxt(file, delimiter=",", ndmin=2).T, strict=True))
-        place = np.stack([columns[f"tip.{axis}"] for axis in "xyz"], axis=1)
+            rows = np.loadtxt(file, delimiter=",", ndmin=2)
         reported = json.loads((out / "summary.json").read_text())["wall_seconds"]
+    axes = [[k for k, name in enumerate(names) if name.endswith(f".{axis}")] for axis in "xyz"]
+    place = np.stack([rows[:, axis].mean(axis=1) for axis in axes], axis=1)
     return Run(seconds, reported, place[1:] - place[0])
 
 

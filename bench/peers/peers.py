@@ -1,7 +1,8 @@
-"""Compares ancf with EXUDYN in one run: time at equal settings, and time at equal accuracy.
+"""Compares ancf with EXUDYN and MuJoCo in one run: time at equal settings, and time at equal accuracy.
 
 Run by `cargo xtask peers`. Prints tables in Markdown and writes `results/peers.json` and
-`results/work_precision.csv`.
+`results/work_precision.csv` for rods, `results/structures.json` for structures of many bodies. Arguments `rods`
+and `structures` select one of both.
 
 The error of a run is the root mean square, over instants of 10 ms, of the distance of its tip from that of the
 reference, divided by the root mean square of the displacement of the reference. The reference of the rods without
@@ -12,21 +13,21 @@ Times are of the processor: of EXUDYN's solver alone, in its process, without fi
 which read a model and write a file. Each is the least of some runs.
 """
 
+import argparse
 import csv
 import json
 import math
-import os
-import platform
-import sys
 from collections.abc import Callable
-from datetime import date
 from pathlib import Path
 
 import numpy as np
 
 import ours
 import theirs
+from accuracy import distance, front, time_at
 from problems import CANTILEVER, INTERVAL, PAPER, PENDULUM, Problem, Run
+from report import conditions, number, say, short, table
+from structures.table import measure as structures
 
 RESULTS = Path(__file__).resolve().parent / "results"
 ELEMENTS = (2, 4, 8, 16)
@@ -68,11 +69,6 @@ def least(solve: Callable[[], Run]) -> Run:
     return min((solve() for _ in range(REPEATS)), key=lambda run: run.seconds)
 
 
-def distance(a: np.ndarray, b: np.ndarray) -> float:
-    """Root mean square distance of two paths."""
-    return float(np.sqrt(np.mean(np.sum((a - b) ** 2, axis=1))))
-
-
 def references(problem: Problem) -> tuple[dict[bool, np.ndarray], float]:
     """The paths of rods without and with shear, and how far the two of the former are apart, relatively."""
     step = INTERVAL / (4 * FINEST[problem.name])
@@ -112,25 +108,6 @@ def points(problem: Problem, paths: dict[bool, np.ndarray]) -> list[dict]:
     return found
 
 
-def front(found: list[dict]) -> list[tuple[float, float]]:
-    """The runs (error, time) that no other beats in both, by falling error."""
-    best: list[tuple[float, float]] = []
-    for error, seconds in sorted((point["error"], point["seconds"]) for point in found):
-        if not best or seconds < best[-1][1]:
-            best.append((error, seconds))
-    return best[::-1]
-
-
-def time_at(target: float, best: list[tuple[float, float]]) -> float:
-    """Time at an error, linear in the logarithms between runs of a front; else not a number."""
-    if not best or target < best[-1][0]:
-        return math.nan
-    if target >= best[0][0]:
-        return best[0][1]
-    logs = np.log(np.array(best[::-1]))
-    return float(np.exp(np.interp(math.log(target), logs[:, 0], logs[:, 1])))
-
-
 def at_equal_accuracy(problem: Problem) -> tuple[dict, list[dict]]:
     """Times of a problem at the target errors, and all runs behind them."""
     say(f"{problem.name}: references")
@@ -162,37 +139,6 @@ def at_equal_settings() -> list[dict]:
     return rows
 
 
-def number(x: float) -> float | None:
-    """A number that JSON has."""
-    return x if math.isfinite(x) else None
-
-
-def conditions() -> dict:
-    """Machine and versions."""
-    info = Path("/proc/cpuinfo")
-    names = info.read_text().splitlines() if info.exists() else []
-    name = next((line.split(": ")[1] for line in names if line.startswith("model name")), platform.processor())
-    return {
-        "date": date.today().isoformat(),
-        "processor": name,
-        "cores": os.cpu_count(),
-        "system": f"{platform.system()} {platform.machine()}",
-        "python": platform.python_version(),
-        "exudyn": theirs.version(),
-    }
-
-
-def table(header: list[str], rows: list[list[str]]) -> str:
-    """A table in Markdown."""
-    lines = [header, ["---"] * len(header), *rows]
-    return "\n".join("| " + " | ".join(line) + " |" for line in lines) + "\n"
-
-
-def short(x: float | None) -> str:
-    """With three digits, or a dash."""
-    return "-" if x is None else f"{x:.3g}"
-
-
 def accuracy_table(result: dict) -> str:
     """Times at equal errors, and how many times longer EXUDYN takes than ancf with the like elements."""
     names = [name for name, *_ in CODES]
@@ -214,13 +160,8 @@ def settings_table(rows: list[dict]) -> str:
     )
 
 
-def say(text: str) -> None:
-    """Tells what goes on."""
-    print(text, file=sys.stderr, flush=True)
-
-
-def main() -> None:
-    """Measures, prints and writes."""
+def rods() -> str:
+    """Measures the rods, writes the results and returns the tables."""
     compared = [at_equal_accuracy(problem) for problem in (CANTILEVER, PENDULUM)]
     settings = at_equal_settings()
     everything = {
@@ -228,15 +169,26 @@ def main() -> None:
         "equal_accuracy": [result for result, _ in compared],
         "equal_settings": settings,
     }
-    RESULTS.mkdir(exist_ok=True)
     (RESULTS / "peers.json").write_text(json.dumps(everything, indent=2) + "\n")
     found = [point for _, points in compared for point in points]
     with (RESULTS / "work_precision.csv").open("w", newline="") as file:
         writer = csv.DictWriter(file, list(found[0]), lineterminator="\n")
         writer.writeheader()
         writer.writerows(found)
-    print("\n".join(accuracy_table(result) for result, _ in compared))
-    print(settings_table(settings))
+    return "\n".join([*(accuracy_table(result) for result, _ in compared), settings_table(settings)])
+
+
+def main() -> None:
+    """Measures what the arguments select, by default everything, and prints."""
+    parts = {"rods": rods, "structures": lambda: structures(RESULTS / "structures.json")}
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("parts", nargs="*", metavar="part", help=f"one of {', '.join(parts)}")
+    chosen = parser.parse_args().parts or list(parts)
+    if unknown := set(chosen) - set(parts):
+        parser.error(f"unknown part {min(unknown)}, expected {' or '.join(parts)}")
+    RESULTS.mkdir(exist_ok=True)
+    for part in chosen:
+        print(parts[part](), flush=True)
 
 
 if __name__ == "__main__":

@@ -21,6 +21,9 @@ from problems import (  # noqa: E402
     Run,
 )
 
+# Standard output is that of the tables.
+exu.config.printToConsole = False
+
 # Tolerances of Newton's method, of the residual, relative and absolute. The default of the former, 1e-8, is below
 # the rounding error of a rod as stiff as this one from ten elements on: it then costs many times the steps, or
 # the run.
@@ -63,12 +66,12 @@ def build(problem: Problem, n: int):
     return container, system, tip
 
 
-def settings(problem: Problem, step: float, tolerance: float):
-    """Its settings for a run without files."""
+def settings(duration: float, step: float, scheme: float | tuple[float, float], tolerance: float, record: float):
+    """Its settings for a run without files; sensors record at an interval."""
     chosen = exu.SimulationSettings()
     integration = chosen.timeIntegration
-    integration.endTime = problem.duration
-    integration.numberOfSteps = round(problem.duration / step)
+    integration.endTime = duration
+    integration.numberOfSteps = round(duration / step)
     integration.verboseMode = 0
     # Steps that do not converge end the run; divided, they take minutes if the tolerance is below the rounding
     # error.
@@ -78,36 +81,36 @@ def settings(problem: Problem, step: float, tolerance: float):
     integration.newton.relativeTolerance = tolerance
     integration.newton.absoluteTolerance = tolerance
     alpha = integration.generalizedAlpha
-    if isinstance(problem.scheme, tuple):
+    if isinstance(scheme, tuple):
         alpha.useNewmark = True
-        alpha.newmarkBeta, alpha.newmarkGamma = problem.scheme
+        alpha.newmarkBeta, alpha.newmarkGamma = scheme
     else:
-        alpha.spectralRadius = problem.scheme
+        alpha.spectralRadius = scheme
     chosen.linearSolverType = exu.LinearSolverType.EigenSparse
     chosen.solutionSettings.writeSolutionToFile = False
-    chosen.solutionSettings.sensorsWritePeriod = INTERVAL
+    chosen.solutionSettings.sensorsWritePeriod = record
     chosen.displayStatistics = False
     chosen.displayComputationTime = False
     return chosen
 
 
-def run(problem: Problem, n: int, step: float, tolerance: float = TOLERANCES[1]) -> Run:
-    """Time of the solver alone, in this process, without files."""
-    _container, system, tip = build(problem, n)
-    chosen = settings(problem, step, tolerance)
+def solve(system, sensor: int, chosen, record: float) -> Run:
+    """Time of the solver alone, in this process, without files; displacements at the multiples of an interval."""
     wall, begun = time.perf_counter(), time.process_time()
     done = system.SolveDynamic(chosen, showHints=False)
     seconds, wall = time.process_time() - begun, time.perf_counter() - wall
+    integration = chosen.timeIntegration
     if not done:
-        raise RuntimeError(f"EXUDYN: n = {n}, h = {step} did not end")
-    rows = np.asarray(system.GetSensorStoredData(tip))
-    instants = np.arange(1, problem.instants() + 1) * INTERVAL
+        raise RuntimeError(f"EXUDYN: h = {integration.endTime / integration.numberOfSteps} did not end")
+    rows = np.asarray(system.GetSensorStoredData(sensor))
+    instants = np.arange(1, round(integration.endTime / record) + 1) * record
     nearest = [int(np.argmin(np.abs(rows[:, 0] - t))) for t in instants]
     if np.max(np.abs(rows[nearest, 0] - instants)) > 1e-6:
         raise RuntimeError("EXUDYN left out instants")
     return Run(seconds, wall, rows[nearest, 1:4])
 
 
-def version() -> str:
-    """Its version."""
-    return exu.config.Version()
+def run(problem: Problem, n: int, step: float, tolerance: float = TOLERANCES[1]) -> Run:
+    """A rod of n elements."""
+    _container, system, tip = build(problem, n)
+    return solve(system, tip, settings(problem.duration, step, problem.scheme, tolerance, INTERVAL), INTERVAL)

@@ -28,7 +28,8 @@ cargo xtask hunt [SEED] [N] random models beside their twins in other frames, un
                             the findings, SHARE of the laws as fourth; file FILE, show SEED NUMBER, one SEED NUMBER
 cargo xtask bench           times per element beside their targets; --quick, --rows TEXT, --json FILE
 cargo xtask instructions    instruction counts of fixed work beside the recorded ones; --update records them
-cargo xtask peers           EXUDYN beside ancf, into bench/peers/results; needs Python and the network
+cargo xtask peers           EXUDYN and MuJoCo beside ancf, into bench/peers/results; rods or structures selects a part;
+                            needs Python and the network
 ";
 
 fn main() -> ExitCode {
@@ -48,7 +49,7 @@ fn main() -> ExitCode {
         "instructions" => benchmark::instructions(options),
         "viewer" => viewer::build(),
         "pictures" => pictures::record(),
-        "peers" => benchmark::peers(),
+        "peers" => benchmark::peers(options),
         "" => Err(format!("expected a command\n\n{HELP}")),
         unknown => Err(format!("unknown command `{unknown}`\n\n{HELP}")),
     };

@@ -1,4 +1,4 @@
-//! Benchmarks: times, instruction counts, comparison with EXUDYN.
+//! Benchmarks: times, instruction counts, comparison with EXUDYN and MuJoCo.
 
 use std::env;
 use std::ffi::OsStr;
@@ -45,13 +45,16 @@ pub(crate) fn instructions(options: &[String]) -> Done {
     Err(why.to_owned())
 }
 
-/// Runs EXUDYN beside `ancf`, in a Python environment of its own.
-pub(crate) fn peers() -> Done {
+/// Runs EXUDYN and MuJoCo beside `ancf`, in a Python environment of their own.
+pub(crate) fn peers(options: &[String]) -> Done {
     let scripts = root().join("bench/peers");
     let environment = Environment::at(&root().join("target/peers"))?;
     environment.install([Path::new("--requirement"), &scripts.join("requirements.txt")])?;
     build()?;
-    alone(&environment.program("python"), &[scripts.join("peers.py").as_os_str()])
+    let script = scripts.join("peers.py");
+    let arguments: Vec<&OsStr> =
+        [script.as_os_str()].into_iter().chain(options.iter().map(OsStr::new)).collect();
+    alone(&environment.program("python"), &arguments)
 }
 
 /// Runs a program with one thread.

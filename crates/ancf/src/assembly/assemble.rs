@@ -8,7 +8,7 @@ use ancf_solver::equations::{System, Term};
 use super::assembled::{Assembly, RecordedQuantity};
 use super::loads::InnerLoads;
 use crate::errors::ModelErrors;
-use crate::model::{IndexedModel, Output, Probe, TimeMode};
+use crate::model::{IndexedModel, Probe, TimeMode};
 
 impl IndexedModel<'_> {
     /// Assembles a valid model whose functions are supplied.
@@ -42,8 +42,7 @@ impl IndexedModel<'_> {
                 RecordedQuantity { name, quantity, place, body, s, offset }
             })
         });
-        let (recorded_quantities, Output { energy_parts, momentum, errors, .. }) =
-            (recorded.collect(), self.output);
+        let recorded_quantities = recorded.collect();
         let [coordinates, multipliers] = Self::numbers(&bodies, &joints);
         let multipliers = multipliers + self.couplings.len();
         let batches = term_batches(&terms);
@@ -55,9 +54,7 @@ impl IndexedModel<'_> {
             system,
             probes,
             recorded_quantities,
-            energy_parts,
-            momentum,
-            errors,
+            output: self.output,
             bodies,
             joints,
             couplings,

@@ -11,7 +11,7 @@ use super::loads::InnerLoads;
 use super::redundant::Redundant;
 use crate::errors::short;
 use crate::joints::{GapClosure, JointEquations, RecordedCoordinate};
-use crate::model::Quantity;
+use crate::model::{Output, Quantity};
 
 /// Equations of motion of a model, with the data to evaluate their solution.
 #[derive(Debug)]
@@ -22,12 +22,8 @@ pub struct Assembly {
     pub probes: Vec<(String, BodyVector)>,
     /// Quantities that the probes record.
     pub recorded_quantities: Vec<RecordedQuantity>,
-    /// True if strain energies of bodies are recorded by part.
-    pub energy_parts: bool,
-    /// True if mass centers, momenta and energies of bodies are recorded.
-    pub momentum: bool,
-    /// True if errors of the values are estimated in each state.
-    pub errors: bool,
+    /// Content of the output.
+    pub output: Output,
     pub(crate) bodies: Vec<(String, BodyTerms)>,
     pub(crate) joints: Vec<JointEquations>,
     pub(crate) couplings: Vec<String>,

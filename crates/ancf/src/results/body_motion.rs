@@ -4,7 +4,7 @@ use ancf_mechanics::bodies::Momentum;
 use ancf_solver::equations::State;
 use nalgebra::Vector3;
 
-use super::rows::Column;
+use super::column::Column;
 use crate::assembly::Assembly;
 use crate::units::{Dimension, Scales, UnitQuantity};
 
@@ -18,7 +18,7 @@ const ENERGIES: [&str; 2] = ["kinetic", "strain"];
 /// Columns of each body and then of the model, none unless the model requests them.
 pub(super) fn columns(assembly: &Assembly) -> Vec<Column> {
     let mut columns = Vec::new();
-    if !assembly.momentum {
+    if !assembly.output.momentum {
         return columns;
     }
     let vectors = || VECTORS.iter().flat_map(|(names, of)| names.iter().map(|name| (*name, *of)));
@@ -33,7 +33,7 @@ pub(super) fn columns(assembly: &Assembly) -> Vec<Column> {
 
 /// Appends the values of the columns in a state, in the user's units.
 pub(super) fn fill(assembly: &Assembly, s: &State, scales: &Scales, row: &mut Vec<f64>) {
-    if !assembly.momentum {
+    if !assembly.output.momentum {
         return;
     }
     let mut sum = Momentum::default();

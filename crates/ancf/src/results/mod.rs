@@ -2,11 +2,13 @@
 
 mod angle_counter;
 mod body_motion;
+mod column;
 mod fields;
 mod rows;
 mod section_forces;
 
 pub(crate) use angle_counter::AngleRates;
+pub use column::Column;
 pub use fields::{Field, Fields, Station};
-pub use rows::{Column, Rows};
+pub use rows::Rows;
 pub(crate) use rows::{LOAD, RowHistory, TIME, columns};

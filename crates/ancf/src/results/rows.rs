@@ -7,9 +7,10 @@ use serde::{Deserialize, Serialize};
 
 use super::angle_counter::{AngleCounter, AngleHistory, AngleRates};
 use super::body_motion;
+use super::column::Column;
 use crate::assembly::Assembly;
 use crate::model::Quantity;
-use crate::units::{Dimension, Scales, UnitQuantity, Units};
+use crate::units::{Dimension, Scales, UnitQuantity};
 
 /// Columns of a run and their values in one state, in the user's units.
 ///
@@ -57,38 +58,6 @@ pub(crate) struct RowHistory {
     angles: AngleHistory,
 }
 
-/// Column of a run.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Column {
-    /// Name.
-    pub name: String,
-    /// Dimension of the values; `None` if they are not in the user's units, such as a residual.
-    pub dimension: Option<Dimension>,
-    /// Quantity with a unit name of its own.
-    pub quantity: UnitQuantity,
-}
-
-impl Column {
-    pub(crate) fn new(name: impl Into<String>, dimension: impl Into<Option<Dimension>>) -> Self {
-        Self { name: name.into(), dimension: dimension.into(), quantity: UnitQuantity::Other }
-    }
-
-    pub(crate) fn with_quantity(self, quantity: UnitQuantity) -> Self {
-        Self { quantity, ..self }
-    }
-
-    /// Unit of the values, `1` for numbers without dimension; `None` if they are not in the user's units.
-    pub fn unit(&self, units: &Units) -> Option<String> {
-        let unit = units.of_quantity(self.dimension?, self.quantity);
-        Some(if unit.is_empty() { "1".to_owned() } else { unit })
-    }
-
-    /// Columns with the prefix `owner`.
-    fn of<'a>(owner: &str, names: impl IntoIterator<Item = &'a str>, dimension: Dimension) -> Vec<Self> {
-        names.into_iter().map(|name| Self::new(format!("{owner}.{name}"), dimension)).collect()
-    }
-}
-
 /// Indices of a symmetric matrix in the order of columns.
 const ENTRIES: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)];
 
@@ -116,7 +85,7 @@ pub(crate) fn columns(assembly: &Assembly, first: &str, solver: &[&str]) -> Vec<
         let columns_of = |(column, dimension)| Column::of(joint, [column], dimension);
         columns.extend(pairs.flat_map(columns_of).map(|column| column.with_quantity(quantity)));
     }
-    if assembly.energy_parts {
+    if assembly.output.energy_parts {
         let parts = ["axial", "bending", "shear", "torsion", "section", "volume"];
         let energies = assembly.bodies().flat_map(|(body, _)| Column::of(body, parts, Dimension::ENERGY));
         columns.extend(energies.map(|column| column.with_quantity(UnitQuantity::Energy)));
@@ -134,7 +103,7 @@ pub(crate) fn columns(assembly: &Assembly, first: &str, solver: &[&str]) -> Vec<
 
 /// Columns of the estimated errors of positions, rotations, section forces, reactions and joint coordinates.
 fn error_columns(assembly: &Assembly) -> Vec<Column> {
-    if !assembly.errors {
+    if !assembly.output.errors {
         return Vec::new();
     }
     let mut values = Vec::new();
@@ -196,7 +165,7 @@ impl Rows {
             row: Vec::with_capacity(columns.len()),
             columns,
             scales,
-            parts: assembly.energy_parts,
+            parts: assembly.output.energy_parts,
             initial: None,
             angles: AngleCounter::new(assembly),
         }

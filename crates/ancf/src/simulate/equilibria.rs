@@ -84,7 +84,7 @@ impl AnalysisRun<'_> {
         let ended = statics.advance_with(settings.load, |s, found, response| {
             self.count_equilibrium(s.load, found);
             turns.count(&mut rows, s);
-            if assembly.errors {
+            if assembly.output.errors {
                 let errors = estimate((model, assembly), s, scales, response);
                 let values = errors.iter().flat_map(|errors| &errors.values);
                 rows.set_errors(values.map(|value| (value.column.as_str(), value.error)));

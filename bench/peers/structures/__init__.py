@@ -1,0 +1,1 @@
+"""Structures of many bodies, by ancf, EXUDYN and MuJoCo."""

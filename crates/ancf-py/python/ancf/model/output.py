@@ -75,6 +75,9 @@ class Output(Part):
     interval
         Interval of recorded instants, time. A step ends at each of them. Every step is recorded by default (>
         0).
+    momentum
+        True to record the mass center, the linear and angular momentum about the origin, the kinetic and the
+        strain energy of each body, and the first three of the model. Default: ``False``.
     parquet
         True to write ``results.parquet``. Default: ``True``.
     states
@@ -91,5 +94,6 @@ class Output(Part):
     errors: bool | None = None
     every: int | None = None
     interval: float | None = None
+    momentum: bool | None = None
     parquet: bool | None = None
     states: int | None = None

@@ -6,6 +6,7 @@ use ancf_solver::equations::{
 use nalgebra::{Matrix3, Vector3};
 
 use super::beam::add_blocks;
+use super::cable_products::CableColumn;
 use super::cable_profile::{CableDamping, CableProfile, CableStation};
 use super::cable_step::{CableStep, vectors};
 use crate::kinematics::{AxialStretch, Bend, BendBlocks, relative_rotation};
@@ -134,8 +135,19 @@ impl Term for Cable12 {
         &self.coordinates
     }
 
+    /// Adds the stiffness of each station times r′ and r″ of the columns, without the large stiffness of the vectors.
     fn stiffness_products(&self, at: &Local<'_>, columns: &mut [ProductColumn]) {
-        self.add_stiffness_products(at, columns);
+        let (q, v) = (vectors(at.q), vectors(at.v));
+        let mut columns: Vec<_> = columns.iter_mut().map(CableColumn::new).collect();
+        for station in self.profile.axial() {
+            let h = self.axial_stiffness(station, &q, &v, Weights::STIFFNESS) * station.weight;
+            columns.iter_mut().for_each(|column| column.add_axial(station, &h));
+        }
+        for station in self.profile.bending() {
+            let h = self.bending_stiffness(station, &q, &v, Weights::STIFFNESS).scaled(station.weight);
+            columns.iter_mut().for_each(|column| column.add_bending(station, &h));
+        }
+        columns.into_iter().for_each(CableColumn::finish);
     }
 
     fn residual(&self, at: &Local<'_>, r: &mut [f64]) {

@@ -53,12 +53,21 @@ fn falling(analysis: &str) -> Model {
 const EQUILIBRIUM: &str = "[initial]\nfrom = \"equilibrium\"";
 const HALF: &str = "scheme = { spectral_radius = 0.5 }";
 
-/// Short runs with errors.
-fn runs_with_errors() -> [(&'static str, Model); 2] {
-    let run = |parts: &str, settings: &str| {
+/// Short runs with errors and from an equilibrium.
+fn further_runs() -> [(&'static str, Model); 4] {
+    let errors = |parts: &str, settings: &str| {
         beam("", parts, &format!("duration = 0.08\n{settings}\n{HALF}\n[output]\nerrors = true"))
     };
-    [("errors", run(PULSE, "step = 2e-3")), ("errors, adaptive", run("", "step = { tolerance = 1e-4 }"))]
+    let damped = ", damping = { strain = 1e-3, mass = 0.5 }";
+    let settled = |damping: &str, step: &str| {
+        beam(damping, PULSE, &format!("duration = 0.1\n{step}\n{HALF}\n{EQUILIBRIUM}"))
+    };
+    [
+        ("errors", errors(PULSE, "step = 2e-3")),
+        ("errors, adaptive", errors("", "step = { tolerance = 1e-4 }")),
+        ("from equilibrium", settled(damped, "step = 4e-3")),
+        ("from equilibrium, adaptive", settled("", "step = { tolerance = 1e-4 }")),
+    ]
 }
 
 /// Short runs of many kinds.
@@ -86,14 +95,6 @@ fn short_runs() -> Vec<(&'static str, Model)> {
             ),
         ),
         ("rotor", file("rotor", "duration = 0.003\nstep = 1e-4\nscheme = { spectral_radius = 0.95 }")),
-        (
-            "from equilibrium",
-            beam(damped, PULSE, &format!("duration = 0.05\nstep = 2e-3\n{HALF}\n{EQUILIBRIUM}")),
-        ),
-        (
-            "from equilibrium, adaptive",
-            beam("", PULSE, &format!("duration = 0.1\nstep = {{ tolerance = 1e-4 }}\n{HALF}\n{EQUILIBRIUM}")),
-        ),
         ("adaptive", beam("", PULSE, &format!("duration = 0.1\nstep = {{ tolerance = 1e-4 }}\n{HALF}"))),
         (
             "adaptive, at intervals",
@@ -144,7 +145,7 @@ fn some<T>(all: &[T], count: usize) -> impl Iterator<Item = &T> {
 
 #[test]
 fn resumed_runs_equal_uninterrupted_runs() {
-    for (name, model) in short_runs().into_iter().chain(runs_with_errors()) {
+    for (name, model) in short_runs().into_iter().chain(further_runs()) {
         let (plain, taken) = (run(&model, false), run(&model, true));
         assert!(plain.1.outcome.is_finished(), "{name}: {:?}", plain.1.outcome);
         assert!(plain.0.rows == taken.0.rows && plain.1 == taken.1, "{name}: checkpoints change results");
@@ -186,7 +187,7 @@ fn short_runs_cover_all_features() {
 /// Interrupts in any iteration discard the incomplete step.
 #[test]
 fn interrupted_runs_resume() {
-    for (name, model) in short_runs().into_iter().chain(runs_with_errors()) {
+    for (name, model) in short_runs().into_iter().chain(further_runs()) {
         let whole = run(&model, false);
         let (_, _, queries) = interrupted(&model, u64::MAX);
         let stride = (queries / 15).max(1);
@@ -204,7 +205,7 @@ fn interrupted_runs_resume() {
 /// A sink ends a run after the row that it received.
 #[test]
 fn runs_ended_by_a_sink_resume() {
-    for (name, model) in short_runs().into_iter().chain(runs_with_errors()) {
+    for (name, model) in short_runs().into_iter().chain(further_runs()) {
         let whole = run(&model, false);
         let (recorder, _) = run_to(&model, 3);
         let last = recorder.last.unwrap();
@@ -280,7 +281,7 @@ fn damaged_checkpoints_cause_no_panic() {
     };
     let names = ["reused tangents", "divided steps", "velocity jumps, adaptive", "falling", "slider-crank"];
     for (name, model) in
-        short_runs().into_iter().chain(runs_with_errors()).filter(|(name, _)| names.contains(name))
+        short_runs().into_iter().chain(further_runs()).filter(|(name, _)| names.contains(name))
     {
         let all = run(&model, true).0.checkpoints;
         for _ in 0..150 {

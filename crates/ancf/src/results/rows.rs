@@ -41,7 +41,6 @@ pub struct Rows {
     columns: Vec<Column>,
     row: Vec<f64>,
     scales: Scales,
-    parts: bool,
     /// Total energy of the first state.
     initial: Option<f64>,
     angles: AngleCounter,
@@ -165,7 +164,6 @@ impl Rows {
             row: Vec::with_capacity(columns.len()),
             columns,
             scales,
-            parts: assembly.output.energy_parts,
             initial: None,
             angles: AngleCounter::new(assembly),
         }
@@ -197,7 +195,7 @@ impl Rows {
             self.extend(reaction.moment, Dimension::ENERGY);
         }
         self.push_joint_coordinates(assembly, s);
-        if self.parts {
+        if assembly.output.energy_parts {
             for (_, body) in assembly.bodies() {
                 let StrainEnergy { axial, bending, shear, torsion, section, volume } = body.strain_energy(s);
                 for part in [axial, bending, shear, torsion, section, volume] {

@@ -131,9 +131,28 @@ impl Operator<'_> {
             return Err(EigenError::Interrupted);
         }
         if f.iter().any(|&x| x != 0.0) {
+            let demanded: Vec<f64> =
+                f.rows(self.coordinates, f.len() - self.coordinates).iter().copied().collect();
             f.iter_mut().zip(self.scales).for_each(|(f, scale)| *f *= scale);
             self.factor.solve_increment(self.left, f.as_mut_slice(), &[])?;
+            self.close_constraints(f, &demanded)?;
             f.iter_mut().zip(self.scales).for_each(|(x, scale)| *x *= scale);
+        }
+        Ok(())
+    }
+
+    /// Corrects a scaled solution by the rounding errors of its constraints.
+    ///
+    /// The pivot of a point mass without stiffness is −σm, close to zero. The position of the mass is then a difference of forces
+    /// divided by this pivot, which leaves the constraints open by more than their own rounding error.
+    fn close_constraints(&mut self, x: &mut DVector<f64>, demanded: &[f64]) -> Result<(), EigenError> {
+        let n = self.coordinates;
+        let mut open = DVector::zeros(x.len());
+        open.as_mut_slice()[n..].copy_from_slice(demanded);
+        self.left.constraints().for_each(|(multiplier, c, entry)| open[multiplier] -= entry * x[c]);
+        if open.iter().any(|&open| open != 0.0) {
+            self.factor.solve_increment(self.left, open.as_mut_slice(), &[])?;
+            *x += open;
         }
         Ok(())
     }

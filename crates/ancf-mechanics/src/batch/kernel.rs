@@ -10,6 +10,11 @@ pub(crate) trait BatchKernel: Send + Sync {
     /// Returns true if any force depends on velocities.
     fn is_damped(&self) -> bool;
 
+    /// Returns true for constraints only ([`Batch::is_constraint`]).
+    fn is_constraint(&self) -> bool {
+        false
+    }
+
     /// Returns the entries of sparse tangents.
     fn entries(&self) -> Option<&[[u8; 2]]> {
         None
@@ -64,6 +69,10 @@ impl<K: BatchKernel> Batch for KernelBatch<K> {
         let (count, mut admissible) = (self.0.count(), [true; LANES]);
         run(count, AdmissibleJob { kernel: &self.0, at, admissible: &mut admissible });
         admissible[..count].iter().position(|admissible| !admissible)
+    }
+
+    fn is_constraint(&self) -> bool {
+        self.0.is_constraint()
     }
 
     fn is_damped(&self) -> bool {

@@ -36,6 +36,10 @@ impl BatchKernel for JointBatch {
         self.count
     }
 
+    fn is_constraint(&self) -> bool {
+        true
+    }
+
     fn is_damped(&self) -> bool {
         false
     }

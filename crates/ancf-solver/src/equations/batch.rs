@@ -1,3 +1,4 @@
+use std::cell::Cell;
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -63,6 +64,12 @@ pub trait Batch: Send + Sync {
     /// Returns the first term that does not admit this state
     /// ([`Term::inadmissibility`](super::terms::Term::inadmissibility)).
     fn inadmissible(&self, at: &LocalLanes<'_>) -> Option<usize>;
+
+    /// True if the terms are constraints only: without inertia, energy and inadmissible states, and with forces that depend on
+    /// coordinates and multipliers only. Velocities and accelerations of `at` are then undefined, except for constraints.
+    fn is_constraint(&self) -> bool {
+        false
+    }
 
     /// True if the terms have damping forces.
     fn is_damped(&self) -> bool;
@@ -187,46 +194,68 @@ pub(crate) struct GatheredLanes {
     v: [Lanes; MAX_UNKNOWNS],
     a: [Lanes; MAX_UNKNOWNS],
     lambda: [Lanes; MAX_UNKNOWNS],
+    /// Rows of the batch.
+    rows: [Lanes; MAX_UNKNOWNS],
 }
 
 impl GatheredLanes {
     const NONE: [Lanes; MAX_UNKNOWNS] = [Lanes([0.0; LANES]); MAX_UNKNOWNS];
-    pub(crate) const EMPTY: Self = Self { q: Self::NONE, v: Self::NONE, a: Self::NONE, lambda: Self::NONE };
+    const EMPTY: Self =
+        Self { q: Self::NONE, v: Self::NONE, a: Self::NONE, lambda: Self::NONE, rows: Self::NONE };
 
-    /// Gathers coordinates, velocities and multipliers. Accelerations are left unchanged, since only residuals depend on them.
+    /// Gathers coordinates, velocities and multipliers. Accelerations are left unchanged, since only residuals depend on them, and
+    /// velocities of constraints.
     pub(crate) fn gather<'a>(&'a mut self, s: &State, of: &PlacedBatch) -> LocalLanes<'a> {
-        let Self { q, v, a, lambda } = self;
+        self.fill(s, of);
+        self.local(s, of).0
+    }
+
+    fn fill(&mut self, s: &State, of: &PlacedBatch) {
         let (n, m) = (of.width, of.size() - of.width);
-        of.gather(0, &s.q, 0, &mut q[..n]);
-        of.gather(0, &s.v, 0, &mut v[..n]);
-        of.gather(n, &s.lambda, s.q.len(), &mut lambda[..m]);
-        LocalLanes { q: &q[..n], v: &v[..n], a: &a[..n], lambda: &lambda[..m], load: s.load }
+        of.gather(0, &s.q, 0, &mut self.q[..n]);
+        if !of.batch.is_constraint() {
+            of.gather(0, &s.v, 0, &mut self.v[..n]);
+        }
+        of.gather(n, &s.lambda, s.q.len(), &mut self.lambda[..m]);
+    }
+
+    /// Gathered variables of a batch, and its rows.
+    fn local<'a>(&'a mut self, s: &State, of: &PlacedBatch) -> (LocalLanes<'a>, &'a mut [Lanes]) {
+        let Self { q, v, a, lambda, rows } = self;
+        let (n, size) = (of.width, of.size());
+        let at = LocalLanes { q: &q[..n], v: &v[..n], a: &a[..n], lambda: &lambda[..size - n], load: s.load };
+        (at, &mut rows[..size])
     }
 
     /// Adds the residual of a batch to a section of the global residual that starts at unknown `first`.
     pub(crate) fn add_residual(&mut self, s: &State, of: &PlacedBatch, sum: &mut [f64], first: usize) {
-        let mut rows = Self::NONE;
-        of.gather(0, &s.a, 0, &mut self.a[..of.width]);
-        let at = self.gather(s, of);
-        let rows = &mut rows[..of.size()];
+        if !of.batch.is_constraint() {
+            of.gather(0, &s.a, 0, &mut self.a[..of.width]);
+        }
+        self.fill(s, of);
+        let (at, rows) = self.local(s, of);
+        rows.fill(Lanes::default());
         of.batch.residual(&at, rows);
         of.add(0, rows, sum, first);
     }
 
     /// Adds the constraints of a batch at a level, by multiplier.
     pub(crate) fn add_constraints(&mut self, s: &State, of: &PlacedBatch, level: Level, phi: &mut [f64]) {
-        let mut rows = Self::NONE;
-        let at = self.gather(s, of);
+        self.fill(s, of);
+        of.gather(0, &s.v, 0, &mut self.v[..of.width]);
+        let (at, rows) = self.local(s, of);
         let rows = &mut rows[..at.lambda.len()];
+        rows.fill(Lanes::default());
         of.batch.constraints(&at, level, rows);
         of.add(of.width, rows, phi, s.q.len());
     }
 
     /// Adds the damping forces of a batch to a section of a global vector that starts at coordinate `first`.
-    pub(crate) fn add_damping(mut self, s: &State, of: &PlacedBatch, sum: &mut [f64], first: usize) {
-        let mut rows = Self::NONE;
-        let at = self.gather(s, of);
+    pub(crate) fn add_damping(&mut self, s: &State, of: &PlacedBatch, sum: &mut [f64], first: usize) {
+        self.fill(s, of);
+        let (at, rows) = self.local(s, of);
         let rows = &mut rows[..at.q.len()];
+        rows.fill(Lanes::default());
         of.batch.damping_forces(&at, rows);
         of.add(0, rows, sum, first);
     }
@@ -236,7 +265,7 @@ impl GatheredLanes {
 pub(crate) struct TangentLanes([Lanes; MAX_UNKNOWNS * (MAX_UNKNOWNS + 1) / 2]);
 
 impl TangentLanes {
-    pub(crate) const ZERO: Self = Self([Lanes([0.0; LANES]); MAX_UNKNOWNS * (MAX_UNKNOWNS + 1) / 2]);
+    const ZERO: Self = Self([Lanes([0.0; LANES]); MAX_UNKNOWNS * (MAX_UNKNOWNS + 1) / 2]);
 
     /// Adds the tangents of a batch to a section of the matrix values.
     pub(crate) fn add_tangent(
@@ -264,5 +293,26 @@ impl TangentLanes {
                 }
             }
         }
+    }
+}
+
+/// Working storage of a thread for the evaluation of batches.
+pub(crate) struct LaneStorage {
+    pub(crate) lanes: GatheredLanes,
+    pub(crate) entries: TangentLanes,
+}
+
+thread_local! {
+    static STORAGE: Cell<Option<Box<LaneStorage>>> = const { Cell::new(None) };
+}
+
+impl LaneStorage {
+    /// Calls a function with the storage of this thread. It is allocated once: its initialisation costs as much as a batch.
+    pub(crate) fn with<T>(evaluate: impl FnOnce(&mut Self) -> T) -> T {
+        let new = || Box::new(Self { lanes: GatheredLanes::EMPTY, entries: TangentLanes::ZERO });
+        let mut storage = STORAGE.take().unwrap_or_else(new);
+        let value = evaluate(&mut storage);
+        STORAGE.set(Some(storage));
+        value
     }
 }

@@ -2,7 +2,7 @@ use std::fmt;
 use std::ops::AddAssign;
 use std::sync::Arc;
 
-use super::batch::{Batch, GatheredLanes, LocalLanes, PlacedBatch, TangentPlaces};
+use super::batch::{Batch, LaneStorage, LocalLanes, PlacedBatch, TangentPlaces};
 use super::contact_pairs::{ActiveContacts, ActiveGroup, ContactSearch};
 use super::dependence::scaled_constraint_rows;
 use super::scatter::{Scatter, pattern_of, scatters};
@@ -242,17 +242,19 @@ impl System {
         batches.iter().map(|&i| &self.batches[i as usize])
     }
 
-    /// Sums over all batches.
+    /// Sums over all batches except constraints, which have no energy and power.
     pub(super) fn sum<T: Default + AddAssign + Send>(
         &self,
         s: &State,
         share: impl Fn(&dyn Batch, &LocalLanes<'_>) -> T + Sync,
     ) -> T {
         self.by_rows.sum(|batches| {
-            let (mut lanes, mut sum) = (GatheredLanes::EMPTY, T::default());
-            for batched in self.of(batches) {
-                sum += share(&*batched.batch, &lanes.gather(s, batched));
-            }
+            let mut sum = T::default();
+            LaneStorage::with(|storage| {
+                for batched in self.of(batches).filter(|batched| !batched.batch.is_constraint()) {
+                    sum += share(&*batched.batch, &storage.lanes.gather(s, batched));
+                }
+            });
             sum
         })
     }

@@ -1,5 +1,7 @@
 //! Time per step of a stepper, compared with the steps of a run: median and 99.9th percentile.
 
+#![expect(clippy::print_stdout, reason = "the program prints its measurements")]
+
 use std::error::Error;
 use std::io;
 use std::ops::ControlFlow;

@@ -38,7 +38,7 @@ fn assert_tangent(TermCase { name, term, kind }: &TermCase, s: &Sample, z: &DVec
             let moved = Sample { q: &s.q + &s.v * h, ..s.clone() };
             scalar(z.dot(&(tangent(term, &moved, Weights { q: 0.0, v: 1.0, a: 0.0 }) * z)))
         };
-        let omitted = derivative(damping) * (0.5 * w.q);
+        let omitted = kind.derivative(damping) * (0.5 * w.q);
         (product, slope) = (scalar(product.dot(z)) + omitted, scalar(slope.dot(z)));
     }
     if matches!(kind, TermKind::Damped | TermKind::NonConservative) {

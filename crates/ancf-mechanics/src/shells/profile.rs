@@ -1,0 +1,160 @@
+use nalgebra::{Matrix3, Vector3};
+
+use super::hermite::{Shape, VECTORS, bicubic, surface_derivatives};
+use super::section::ShellSection;
+use crate::kinematics::{gauss4, lobatto3};
+
+/// Number of points of an element at which curvatures are evaluated.
+pub(crate) const POINTS: usize = 16;
+/// Number of points of an element at which membrane strains are evaluated.
+pub(crate) const TIES: usize = 9;
+/// Number of membrane strains of an element: ε_ξξ, ε_ηη and 2 ε_ξη at each tying point.
+pub(crate) const MEMBRANE: usize = 3 * TIES;
+
+/// Material, inertia and loads of a shell that are common to its elements.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ShellMedium {
+    /// Stiffness and mass per area.
+    pub section: ShellSection,
+    /// Retardation time τ of the damping that is proportional to the stiffness.
+    pub retardation: f64,
+    /// Rate α of the damping α M v that is proportional to the mass.
+    pub mass_damping: f64,
+    /// Acceleration of gravity.
+    pub gravity: Vector3<f64>,
+}
+
+/// Integration point of bending.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct BendingPoint {
+    /// Reference values of r_ξ, r_η, r_ξξ, r_ηη, r_ξη.
+    pub(crate) reference: [Vector3<f64>; 5],
+    /// Unit normal and its magnitude before normalisation.
+    pub(crate) normal: Vector3<f64>,
+    pub(crate) area: f64,
+    /// D and B for covariant components, times the weight.
+    pub(crate) bending: Matrix3<f64>,
+    pub(crate) coupling: Matrix3<f64>,
+}
+
+/// Constant data of a shell element.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ShellProfile {
+    pub(crate) points: Vec<BendingPoint>,
+    /// Reference values of r_ξ and r_η at the tying points.
+    pub(crate) ties: Vec<[Vector3<f64>; 2]>,
+    /// Membrane stiffness of the strains at the tying points.
+    pub(crate) membrane: Box<[[f64; MEMBRANE]; MEMBRANE]>,
+    /// True if the section couples membrane strains and curvatures.
+    pub(crate) is_coupled: bool,
+    /// Compact mass matrix M_ab = ∫ ρ h N_a N_b dA, and first moments ∫ ρ h N_a dA.
+    pub(crate) mass: [[f64; VECTORS]; VECTORS],
+    pub(crate) first: Shape,
+    pub(crate) medium: ShellMedium,
+}
+
+/// Shape functions at the points of the unit square, common to all elements.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct ShellTables {
+    /// Derivatives of the shape functions at the integration points of bending.
+    pub(crate) points: [[Shape; 5]; POINTS],
+    /// Derivatives by ξ and η at the tying points.
+    pub(crate) ties: [[Shape; 2]; TIES],
+    /// Values of the interpolation functions of the tying points at the integration points.
+    pub(crate) tying: [[f64; TIES]; POINTS],
+}
+
+/// Integration points of an element with their weights.
+pub(crate) fn integration_points() -> [([f64; 2], f64); POINTS] {
+    let rule = gauss4();
+    std::array::from_fn(|k| {
+        let ((x, u), (y, v)) = (rule[k % 4], rule[k / 4]);
+        ([x, y], u * v)
+    })
+}
+
+/// Tying points of membrane strains: 3 × 3 Lobatto points.
+pub(crate) fn tying_points() -> [[f64; 2]; TIES] {
+    let rule = lobatto3();
+    std::array::from_fn(|k| [rule[k % 3].0, rule[k / 3].0])
+}
+
+/// Quadratic Lagrange polynomials of the nodes 0, ½, 1.
+const fn lagrange(x: f64) -> [f64; 3] {
+    [(1.0 - x) * (1.0 - 2.0 * x), 4.0 * x * (1.0 - x), x * (2.0 * x - 1.0)]
+}
+
+impl ShellTables {
+    pub(crate) fn new() -> Self {
+        let points = integration_points();
+        let tying = points.map(|([x, y], _)| {
+            let (along, across) = (lagrange(x), lagrange(y));
+            std::array::from_fn(|t| along[t % 3] * across[t / 3])
+        });
+        Self {
+            points: points.map(|(at, _)| surface_derivatives(at)),
+            ties: tying_points().map(|at| [bicubic(at, [1, 0]), bicubic(at, [0, 1])]),
+            tying,
+        }
+    }
+}
+
+/// Computes Σ_a N_a x_a.
+pub(crate) fn sum(shape: &Shape, x: &[Vector3<f64>; VECTORS]) -> Vector3<f64> {
+    shape.iter().zip(x).fold(Vector3::zeros(), |sum, (shape, x)| sum + x * *shape)
+}
+
+impl ShellProfile {
+    /// Creates the data of an element with the given nodal vectors in the reference state.
+    ///
+    /// Positions may be relative to any point.
+    pub(crate) fn new(
+        tables: &ShellTables,
+        reference: &[Vector3<f64>; VECTORS],
+        medium: &ShellMedium,
+    ) -> Self {
+        let rule = integration_points();
+        let mut membrane = Box::new([[0.0; MEMBRANE]; MEMBRANE]);
+        let (mut mass, mut first) = ([[0.0; VECTORS]; VECTORS], [0.0; VECTORS]);
+        let mut points = Vec::with_capacity(POINTS);
+        for (k, (at, weight)) in rule.into_iter().enumerate() {
+            let values = tables.points[k].map(|shape| sum(&shape, reference));
+            let normal = values[0].cross(&values[1]);
+            let area = normal.norm();
+            let [a, b, d] =
+                medium.section.covariant(&values[0], &values[1]).map(|c| c * (weight * area));
+            for (t, s) in (0..TIES).flat_map(|t| (0..TIES).map(move |s| (t, s))) {
+                let factor = tables.tying[k][t] * tables.tying[k][s];
+                for (i, j) in (0..3).flat_map(|i| (0..3).map(move |j| (i, j))) {
+                    membrane[3 * t + i][3 * s + j] += factor * a[(i, j)];
+                }
+            }
+            let shape = bicubic(at, [0, 0]);
+            for i in 0..VECTORS {
+                first[i] += weight * area * medium.section.density * shape[i];
+                for j in 0..VECTORS {
+                    mass[i][j] += weight * area * medium.section.density * shape[i] * shape[j];
+                }
+            }
+            points.push(BendingPoint {
+                reference: values,
+                normal: normal / area,
+                area,
+                bending: d,
+                coupling: b,
+            });
+        }
+        let ties = tables.ties.iter().map(|shapes| shapes.map(|shape| sum(&shape, reference))).collect();
+        let is_coupled = medium.section.coupling != Matrix3::zeros();
+        Self { points, ties, membrane, is_coupled, mass, first, medium: *medium }
+    }
+
+    /// Returns the smallest area r_ξ × r_η at the integration points, relative to the product of the lengths of r_ξ and r_η.
+    pub(crate) fn least_angle(&self) -> f64 {
+        let of = |point: &BendingPoint| {
+            let [t, s, ..] = &point.reference;
+            point.area / (t.norm() * s.norm())
+        };
+        self.points.iter().map(of).fold(f64::INFINITY, |least, x| if x < least { x } else { least })
+    }
+}

@@ -99,7 +99,7 @@ fn opposite(at: At, length: f64) -> At {
         At::Named(NamedPosition::Start) => At::Named(NamedPosition::End),
         At::Named(NamedPosition::End) => At::Named(NamedPosition::Start),
         At::Length(s) => At::Length(length - s),
-        At::Named(NamedPosition::Center) | At::Point(_) => at,
+        At::Named(NamedPosition::Center) | At::Point(_) | At::Surface(_) | At::Edge(_) => at,
     }
 }
 

@@ -3,6 +3,7 @@
 mod bilinear_measure;
 mod coincidence;
 mod hinge_angle;
+mod linear_constraint;
 mod measure_constraint;
 mod measure_target;
 mod rotation_drive;
@@ -14,6 +15,7 @@ pub(crate) use bilinear_measure::add_outer;
 pub use bilinear_measure::{BilinearMeasure, MeasureFactor};
 pub use coincidence::{CoincidenceConstraint, ConstantAngle, Wrench};
 pub use hinge_angle::HingeAngle;
+pub use linear_constraint::{ConstrainedVector, LinearConstraint};
 pub use measure_constraint::MeasureConstraint;
 pub use measure_target::MeasureTarget;
 pub use rotation_drive::RotationDrive;

@@ -96,13 +96,7 @@ impl Shell48 {
     }
 
     /// Adds the tangent for a surface and its stresses.
-    fn add_tangent(
-        &self,
-        state: &SurfaceState,
-        stress: &ShellStrains,
-        w: Weights,
-        k: &mut LocalMatrix<'_>,
-    ) {
+    fn add_tangent(&self, state: &SurfaceState, stress: &ShellStrains, w: Weights, k: &mut LocalMatrix<'_>) {
         let (profile, mut square): (_, Square) = (&self.profile, [[0.0; SIZE]; SIZE]);
         let material = w.q + w.v * profile.medium.retardation;
         if material != 0.0 {

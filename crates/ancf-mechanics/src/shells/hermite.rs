@@ -66,8 +66,7 @@ mod tests {
                     let ([x, y], kind) = (nodes[a / 4], a % 4);
                     power(x, m, kind % 2) * power(y, n, kind / 2)
                 };
-                let sum: f64 =
-                    bicubic(at, order).iter().enumerate().map(|(a, shape)| shape * nodal(a)).sum();
+                let sum: f64 = bicubic(at, order).iter().enumerate().map(|(a, shape)| shape * nodal(a)).sum();
                 let exact = power(at[0], m, i) * power(at[1], n, j);
                 assert!((sum - exact).abs() < 1e-14, "x^{m} y^{n}, {order:?}: {sum} for {exact}");
             }

@@ -2,6 +2,8 @@
 
 mod element;
 mod hermite;
+mod mesh;
+mod pressure;
 mod profile;
 mod rounding;
 mod section;
@@ -9,7 +11,8 @@ mod stiffness;
 mod surface_state;
 
 pub use element::Shell48;
-pub(crate) use hermite::bicubic;
 pub use hermite::VECTORS;
+pub use mesh::{ShellEdge, ShellMesh};
+pub use pressure::SurfacePressure;
 pub use profile::{ShellMedium, ShellProfile};
 pub use section::ShellSection;

@@ -121,8 +121,7 @@ impl ShellProfile {
             let values = tables.points[k].map(|shape| sum(&shape, reference));
             let normal = values[0].cross(&values[1]);
             let area = normal.norm();
-            let [a, b, d] =
-                medium.section.covariant(&values[0], &values[1]).map(|c| c * (weight * area));
+            let [a, b, d] = medium.section.covariant(&values[0], &values[1]).map(|c| c * (weight * area));
             for (t, s) in (0..TIES).flat_map(|t| (0..TIES).map(move |s| (t, s))) {
                 let factor = tables.tying[k][t] * tables.tying[k][s];
                 for (i, j) in (0..3).flat_map(|i| (0..3).map(move |j| (i, j))) {
@@ -147,6 +146,21 @@ impl ShellProfile {
         let ties = tables.ties.iter().map(|shapes| shapes.map(|shape| sum(&shape, reference))).collect();
         let is_coupled = medium.section.coupling != Matrix3::zeros();
         Self { points, ties, membrane, is_coupled, mass, first, medium: *medium }
+    }
+
+    /// Returns ∫ N_a dA.
+    pub(crate) fn areas(&self) -> Shape {
+        let mut areas = [0.0; VECTORS];
+        for ((at, weight), point) in integration_points().into_iter().zip(&self.points) {
+            let shape = bicubic(at, [0, 0]);
+            areas.iter_mut().zip(shape).for_each(|(sum, shape)| *sum += weight * point.area * shape);
+        }
+        areas
+    }
+
+    /// Returns the compact mass matrix M_ab = ∫ ρ h N_a N_b dA.
+    pub fn mass(&self) -> &[[f64; VECTORS]; VECTORS] {
+        &self.mass
     }
 
     /// Returns the smallest area r_ξ × r_η at the integration points, relative to the product of the lengths of r_ξ and r_η.

@@ -41,8 +41,7 @@ pub(crate) fn add_rounding(
         for i in 0..3 {
             let second = reference[i + 2].norm() + sizes[i + 2];
             let rate = rates[i + 2] + second * (rates[0] * dual[0] + rates[1] * dual[1]);
-            bending[k][i] =
-                VOIGT[i] * SUM * amplified[k] * (sizes[i + 2] + second * turned + rate);
+            bending[k][i] = VOIGT[i] * SUM * amplified[k] * (sizes[i + 2] + second * turned + rate);
         }
     }
     add_membrane(tables, profile, (state, stress), (&errors, &bending), bound, q);

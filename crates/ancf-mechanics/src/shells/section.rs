@@ -24,17 +24,8 @@ impl ShellSection {
     /// A = E h/(1 − ν²) \[1 ν 0; ν 1 0; 0 0 (1 − ν)/2\], D = A h²/12.
     pub fn isotropic(young: f64, poisson: f64, density: f64, thickness: f64) -> Self {
         let q = young / (1.0 - poisson * poisson);
-        let plane = Matrix3::new(
-            q,
-            q * poisson,
-            0.0,
-            q * poisson,
-            q,
-            0.0,
-            0.0,
-            0.0,
-            0.5 * young / (1.0 + poisson),
-        );
+        let plane =
+            Matrix3::new(q, q * poisson, 0.0, q * poisson, q, 0.0, 0.0, 0.0, 0.5 * young / (1.0 + poisson));
         Self {
             membrane: plane * thickness,
             coupling: Matrix3::zeros(),

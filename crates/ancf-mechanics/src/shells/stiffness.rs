@@ -50,9 +50,8 @@ impl SurfaceState {
         for (p, point) in self.points.iter().enumerate() {
             let c = point.gradients(&tables.points[p]);
             let d = profile.points[p].bending * weight;
-            let stress: [Shape; 3] = std::array::from_fn(|i| {
-                std::array::from_fn(|a| (0..3).map(|j| d[(i, j)] * c[j][a]).sum())
-            });
+            let stress: [Shape; 3] =
+                std::array::from_fn(|i| std::array::from_fn(|a| (0..3).map(|j| d[(i, j)] * c[j][a]).sum()));
             let n = &point.normal;
             for a in 0..VECTORS {
                 for b in 0..=a {

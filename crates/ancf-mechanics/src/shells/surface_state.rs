@@ -140,7 +140,8 @@ impl SurfaceState {
         for (k, point) in self.points.iter().enumerate() {
             let (m, shapes) = (&stress.bending[k], &tables.points[k]);
             let weights: [f64; 3] = std::array::from_fn(|i| VOIGT[i] * m[i]);
-            let [x, y] = [0, 1].map(|g| -> f64 { (0..3).map(|i| weights[i] * point.christoffel[i][g]).sum() });
+            let [x, y] =
+                [0, 1].map(|g| -> f64 { (0..3).map(|i| weights[i] * point.christoffel[i][g]).sum() });
             for (a, force) in force.iter_mut().enumerate() {
                 let c = weights[0] * shapes[2][a] + weights[1] * shapes[3][a] + weights[2] * shapes[4][a]
                     - x * shapes[0][a]

@@ -15,6 +15,8 @@ pub enum BodyKind {
     Beam,
     /// Cable.
     Cable,
+    /// Shell, drawn as the middle of its surface.
+    Shell,
     /// Rigid body.
     Rigid,
     /// Point mass.
@@ -26,6 +28,7 @@ impl BodyKind {
         match body {
             Body::Beam(_) => Self::Beam,
             Body::Cable(_) => Self::Cable,
+            Body::Shell(_) => Self::Shell,
             Body::Rigid(_) => Self::Rigid,
             Body::Mass(_) => Self::PointMass,
         }
@@ -36,6 +39,7 @@ impl BodyKind {
         match self {
             Self::Beam => "beam",
             Self::Cable => "cable",
+            Self::Shell => "point",
             Self::Rigid => "rigid",
             Self::PointMass => "point",
         }
@@ -89,7 +93,7 @@ impl BodyShape {
                 (Some(drawn.edges.map(|edge| 0.5 * edge)), drawn.axes)
             }
             Body::Mass(mass) => (Some([point_mass_radius(mass, size); 3]), GLOBAL),
-            Body::Beam(_) | Body::Cable(_) => (None, GLOBAL),
+            Body::Shell(_) | Body::Beam(_) | Body::Cable(_) => (None, GLOBAL),
         };
         let outline = outline_at(model, body, 0.0, SIDES);
         let count = stations.len();

@@ -1,6 +1,6 @@
 use ancf_mechanics::constraints::{
-    CoincidenceConstraint, ConstantAngle, HingeAngle, MeasureConstraint, RotationDrive, SectionDrive,
-    SlideConstraint, TwistAngle, Wrench,
+    CoincidenceConstraint, ConstantAngle, HingeAngle, LinearConstraint, MeasureConstraint, RotationDrive,
+    SectionDrive, SlideConstraint, TwistAngle, Wrench,
 };
 use ancf_mechanics::forces::{Friction, Spring, Strut, SwingSpring};
 use ancf_solver::equations::{State, Term};
@@ -28,4 +28,4 @@ macro_rules! joint_terms {
     };
 }
 
-joint_terms! { HingeAngle, CoincidenceConstraint, RotationDrive, SectionDrive, Friction, ConstantAngle, SlideConstraint, Spring, Strut, SwingSpring, TwistAngle, MeasureConstraint }
+joint_terms! { HingeAngle, LinearConstraint, CoincidenceConstraint, RotationDrive, SectionDrive, Friction, ConstantAngle, SlideConstraint, Spring, Strut, SwingSpring, TwistAngle, MeasureConstraint }

@@ -2,14 +2,12 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::hermite::{Shape, VECTORS, bicubic, surface_derivatives};
 use super::section::ShellSection;
-use crate::kinematics::{gauss4, lobatto3};
+use crate::kinematics::gauss4;
 
 /// Number of points of an element at which curvatures are evaluated.
 pub(crate) const POINTS: usize = 16;
-/// Number of points of an element at which membrane strains are evaluated.
-pub(crate) const TIES: usize = 9;
-/// Number of membrane strains of an element: ε_ξξ, ε_ηη and 2 ε_ξη at each tying point.
-pub(crate) const MEMBRANE: usize = 3 * TIES;
+/// Number of membrane strains of an element: ε_ξξ at 3 × 4, ε_ηη at 4 × 3 and 2 ε_ξη at 3 × 3 Lobatto points.
+pub(crate) const MEMBRANE: usize = 33;
 
 /// Material, inertia and loads of a shell that are common to its elements.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -58,10 +56,19 @@ pub struct ShellProfile {
 pub(crate) struct ShellTables {
     /// Derivatives of the shape functions at the integration points of bending.
     pub(crate) points: [[Shape; 5]; POINTS],
-    /// Derivatives by ξ and η at the tying points.
-    pub(crate) ties: [[Shape; 2]; TIES],
-    /// Values of the interpolation functions of the tying points at the integration points.
-    pub(crate) tying: [[f64; TIES]; POINTS],
+    /// Membrane strains.
+    pub(crate) ties: [Tie; MEMBRANE],
+    /// Values of the interpolation functions of the membrane strains at the integration points.
+    pub(crate) tying: [[f64; MEMBRANE]; POINTS],
+}
+
+/// Membrane strain at a tying point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Tie {
+    /// Component: 0 for ε_ξξ, 1 for ε_ηη, 2 for 2 ε_ξη.
+    pub(crate) component: usize,
+    /// Derivatives of the shape functions by ξ and η.
+    pub(crate) shapes: [Shape; 2],
 }
 
 /// Integration points of an element with their weights.
@@ -73,29 +80,46 @@ pub(crate) fn integration_points() -> [([f64; 2], f64); POINTS] {
     })
 }
 
-/// Tying points of membrane strains: 3 × 3 Lobatto points.
-pub(crate) fn tying_points() -> [[f64; 2]; TIES] {
-    let rule = lobatto3();
-    std::array::from_fn(|k| [rule[k % 3].0, rule[k / 3].0])
+/// Three-point and four-point Lobatto rules on [0, 1].
+fn lobatto() -> [Vec<f64>; 2] {
+    let inner = 0.5 * 0.2_f64.sqrt();
+    [vec![0.0, 0.5, 1.0], vec![0.0, 0.5 - inner, 0.5 + inner, 1.0]]
 }
 
-/// Quadratic Lagrange polynomials of the nodes 0, ½, 1.
-const fn lagrange(x: f64) -> [f64; 3] {
-    [(1.0 - x) * (1.0 - 2.0 * x), 4.0 * x * (1.0 - x), x * (2.0 * x - 1.0)]
+/// Components and rules along ξ and η of the membrane strains. Each is reduced along its own directions.
+const RULES: [[usize; 2]; 3] = [[0, 1], [1, 0], [0, 0]];
+
+/// Value of the k-th Lagrange polynomial of some nodes.
+fn lagrange(nodes: &[f64], k: usize, x: f64) -> f64 {
+    let others = nodes.iter().enumerate().filter(|(i, _)| *i != k);
+    others.map(|(_, node)| (x - node) / (nodes[k] - node)).product()
+}
+
+/// Calls `visit` with the component, the rules and the place in them of each membrane strain.
+fn each_tie(mut visit: impl FnMut(usize, [&[f64]; 2], [usize; 2])) {
+    let rules = lobatto();
+    for (component, rule) in RULES.into_iter().enumerate() {
+        let [along, across] = rule.map(|k| &rules[k][..]);
+        for (j, i) in (0..across.len()).flat_map(|j| (0..along.len()).map(move |i| (j, i))) {
+            visit(component, [along, across], [i, j]);
+        }
+    }
 }
 
 impl ShellTables {
     pub(crate) fn new() -> Self {
         let points = integration_points();
-        let tying = points.map(|([x, y], _)| {
-            let (along, across) = (lagrange(x), lagrange(y));
-            std::array::from_fn(|t| along[t % 3] * across[t / 3])
+        let none = Tie { component: 0, shapes: [[0.0; VECTORS]; 2] };
+        let (mut ties, mut tying, mut row) = ([none; MEMBRANE], [[0.0; MEMBRANE]; POINTS], 0);
+        each_tie(|component, [along, across], [i, j]| {
+            let at = [along[i], across[j]];
+            ties[row] = Tie { component, shapes: [bicubic(at, [1, 0]), bicubic(at, [0, 1])] };
+            for (values, ([x, y], _)) in tying.iter_mut().zip(points) {
+                values[row] = lagrange(along, i, x) * lagrange(across, j, y);
+            }
+            row += 1;
         });
-        Self {
-            points: points.map(|(at, _)| surface_derivatives(at)),
-            ties: tying_points().map(|at| [bicubic(at, [1, 0]), bicubic(at, [0, 1])]),
-            tying,
-        }
+        Self { points: points.map(|(at, _)| surface_derivatives(at)), ties, tying }
     }
 }
 
@@ -122,11 +146,9 @@ impl ShellProfile {
             let normal = values[0].cross(&values[1]);
             let area = normal.norm();
             let [a, b, d] = medium.section.covariant(&values[0], &values[1]).map(|c| c * (weight * area));
-            for (t, s) in (0..TIES).flat_map(|t| (0..TIES).map(move |s| (t, s))) {
-                let factor = tables.tying[k][t] * tables.tying[k][s];
-                for (i, j) in (0..3).flat_map(|i| (0..3).map(move |j| (i, j))) {
-                    membrane[3 * t + i][3 * s + j] += factor * a[(i, j)];
-                }
+            for (t, s) in (0..MEMBRANE).flat_map(|t| (0..MEMBRANE).map(move |s| (t, s))) {
+                let stiffness = a[(tables.ties[t].component, tables.ties[s].component)];
+                membrane[t][s] += tables.tying[k][t] * tables.tying[k][s] * stiffness;
             }
             let shape = bicubic(at, [0, 0]);
             for i in 0..VECTORS {
@@ -143,7 +165,7 @@ impl ShellProfile {
                 coupling: b,
             });
         }
-        let ties = tables.ties.iter().map(|shapes| shapes.map(|shape| sum(&shape, reference))).collect();
+        let ties = tables.ties.iter().map(|tie| tie.shapes.map(|shape| sum(&shape, reference))).collect();
         let is_coupled = medium.section.coupling != Matrix3::zeros();
         Self { points, ties, membrane, is_coupled, mass, first, medium: *medium }
     }

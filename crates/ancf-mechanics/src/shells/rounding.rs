@@ -1,7 +1,7 @@
 //! Bounds of the rounding errors of the forces of a shell element.
 
 use super::hermite::{Shape, VECTORS};
-use super::profile::{MEMBRANE, POINTS, ShellProfile, ShellTables};
+use super::profile::{MEMBRANE, POINTS, ShellProfile, ShellTables, Tie};
 use super::surface_state::{ShellStrains, SurfaceState, VOIGT};
 
 /// Roundings in a sum of sixteen products, relative to the sum of their magnitudes.
@@ -24,12 +24,16 @@ pub(crate) fn add_rounding(
     let mut bending = [[0.0; 3]; POINTS];
     let mut amplified = [0.0; POINTS];
     for (t, reference) in profile.ties.iter().enumerate() {
-        let [u, w] = tables.ties[t].each_ref().map(|shape| size(shape, q));
-        let [x, y] = tables.ties[t].each_ref().map(|shape| time * size(shape, v));
+        let Tie { component, shapes } = &tables.ties[t];
+        let [u, w] = shapes.each_ref().map(|shape| size(shape, q));
+        let [x, y] = shapes.each_ref().map(|shape| time * size(shape, v));
         let [a, b] = [reference[0].norm() + u, reference[1].norm() + w];
-        errors[3 * t] = SUM * a * (u + x);
-        errors[3 * t + 1] = SUM * b * (w + y);
-        errors[3 * t + 2] = SUM * (a * (w + y) + b * (u + x));
+        errors[t] = SUM
+            * match component {
+                0 => a * (u + x),
+                1 => b * (w + y),
+                _ => a * (w + y) + b * (u + x),
+            };
     }
     for (k, point) in state.points.iter().enumerate() {
         let (shapes, reference) = (&tables.points[k], &profile.points[k].reference);
@@ -67,19 +71,25 @@ fn add_membrane(
         for (k, point) in profile.points.iter().enumerate() {
             for (r, error) in error.iter_mut().enumerate() {
                 let of = |j: usize| {
-                    point.coupling[(r % 3, j)].abs() * (bending[k][j] + SUM * strains.bending[k][j].abs())
+                    let i = tables.ties[r].component;
+                    point.coupling[(i, j)].abs() * (bending[k][j] + SUM * strains.bending[k][j].abs())
                 };
-                *error += tables.tying[k][r / 3].abs() * (0..3).map(of).sum::<f64>();
+                *error += tables.tying[k][r].abs() * (0..3).map(of).sum::<f64>();
             }
         }
     }
-    for (t, [x, y]) in tables.ties.iter().enumerate() {
+    for (t, Tie { component, shapes: [x, y] }) in tables.ties.iter().enumerate() {
         let [u, w] = [x, y].map(|shape| size(shape, q));
         let [a, b] = [profile.ties[t][0].norm() + u, profile.ties[t][1].norm() + w];
-        let of = |i: usize| error[3 * t + i] + SUM * stress.membrane[3 * t + i].abs();
+        let of = error[t] + SUM * stress.membrane[t].abs();
         for i in 0..VECTORS {
             let (x, y) = (x[i].abs(), y[i].abs());
-            bound[i] += of(0) * x * a + of(1) * y * b + of(2) * (y * a + x * b);
+            bound[i] += of
+                * match component {
+                    0 => x * a,
+                    1 => y * b,
+                    _ => y * a + x * b,
+                };
         }
     }
 }
@@ -104,8 +114,8 @@ fn add_bending(
                 .sum();
             if profile.is_coupled {
                 for (r, strain) in state.strains.membrane.iter().enumerate() {
-                    error += tables.tying[k][r / 3].abs()
-                        * own.coupling[(r % 3, i)].abs()
+                    error += tables.tying[k][r].abs()
+                        * own.coupling[(tables.ties[r].component, i)].abs()
                         * (errors[r] + SUM * strain.abs());
                 }
             }

@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use super::hermite::{Shape, VECTORS};
-use super::profile::{MEMBRANE, ShellProfile, ShellTables, TIES};
+use super::profile::{MEMBRANE, ShellProfile, ShellTables, Tie};
 use super::surface_state::{BentPoint, ShellStrains, SurfaceState, VOIGT};
 
 /// Number of coordinates of an element.
@@ -13,18 +13,20 @@ pub(crate) const SIZE: usize = 3 * VECTORS;
 pub(crate) type Square = [[f64; SIZE]; SIZE];
 
 impl SurfaceState {
-    /// Returns the derivatives of the membrane strains at a tying point.
-    fn membrane_rows(&self, tables: &ShellTables, t: usize) -> [[f64; SIZE]; 3] {
-        let ([a, b], [x, y]) = (&self.ties[t], &tables.ties[t]);
-        let mut rows = [[0.0; SIZE]; 3];
+    /// Returns the derivatives of a membrane strain.
+    fn membrane_row(&self, tables: &ShellTables, t: usize) -> [f64; SIZE] {
+        let ([a, b], Tie { component, shapes: [x, y] }) = (&self.ties[t], &tables.ties[t]);
+        let mut row = [0.0; SIZE];
         for k in 0..VECTORS {
             for i in 0..3 {
-                rows[0][3 * k + i] = a[i] * x[k];
-                rows[1][3 * k + i] = b[i] * y[k];
-                rows[2][3 * k + i] = a[i] * y[k] + b[i] * x[k];
+                row[3 * k + i] = match component {
+                    0 => a[i] * x[k],
+                    1 => b[i] * y[k],
+                    _ => a[i] * y[k] + b[i] * x[k],
+                };
             }
         }
-        rows
+        row
     }
 
     /// Adds `weight` times the material stiffness Bᵀ D B.
@@ -35,10 +37,7 @@ impl SurfaceState {
         weight: f64,
         k: &mut Square,
     ) {
-        let mut rows = [[0.0; SIZE]; MEMBRANE];
-        for t in 0..TIES {
-            rows[3 * t..3 * t + 3].copy_from_slice(&self.membrane_rows(tables, t));
-        }
+        let rows: [[f64; SIZE]; MEMBRANE] = std::array::from_fn(|t| self.membrane_row(tables, t));
         for (row, stiffness) in rows.iter().zip(&*profile.membrane) {
             let mut stress = [0.0; SIZE];
             for (d, other) in stiffness.iter().zip(&rows) {
@@ -60,7 +59,7 @@ impl SurfaceState {
                 }
             }
             if profile.is_coupled {
-                self.add_coupling(&c, (&rows, &tables.tying[p]), profile.points[p].coupling * weight, n, k);
+                self.add_coupling(&c, (&rows, tables, p), profile.points[p].coupling * weight, n, k);
             }
         }
     }
@@ -69,16 +68,15 @@ impl SurfaceState {
     fn add_coupling(
         &self,
         c: &[Shape; 3],
-        (rows, tying): (&[[f64; SIZE]; MEMBRANE], &[f64; TIES]),
+        (rows, tables, point): (&[[f64; SIZE]; MEMBRANE], &ShellTables, usize),
         coupling: nalgebra::Matrix3<f64>,
         n: &Vector3<f64>,
         k: &mut Square,
     ) {
         let mut strains = [[0.0; SIZE]; 3];
-        for t in 0..TIES {
-            for (i, strain) in strains.iter_mut().enumerate() {
-                strain.iter_mut().zip(&rows[3 * t + i]).for_each(|(sum, x)| *sum += tying[t] * x);
-            }
+        for (t, row) in rows.iter().enumerate() {
+            let (tying, strain) = (tables.tying[point][t], &mut strains[tables.ties[t].component]);
+            strain.iter_mut().zip(row).for_each(|(sum, x)| *sum += tying * x);
         }
         for (i, strain) in strains.iter().enumerate() {
             let mut moment = [0.0; SIZE];
@@ -93,10 +91,14 @@ impl SurfaceState {
 
     /// Adds the stiffness Σ σ ∂²ε/∂q² of stresses.
     pub(crate) fn add_geometric(&self, tables: &ShellTables, stress: &ShellStrains, k: &mut Square) {
-        for (t, [x, y]) in tables.ties.iter().enumerate() {
-            let n = &stress.membrane[3 * t..3 * t + 3];
+        for (t, Tie { component, shapes: [x, y] }) in tables.ties.iter().enumerate() {
+            let n = stress.membrane[t];
             for a in 0..VECTORS {
-                let (along, across) = (n[0] * x[a] + n[2] * y[a], n[1] * y[a] + n[2] * x[a]);
+                let (along, across) = match component {
+                    0 => (n * x[a], 0.0),
+                    1 => (0.0, n * y[a]),
+                    _ => (n * y[a], n * x[a]),
+                };
                 for b in 0..=a {
                     let value = along * x[b] + across * y[b];
                     (0..3).for_each(|i| k[3 * a + i][3 * b + i] += value);

@@ -1,7 +1,7 @@
 use nalgebra::Vector3;
 
 use super::hermite::{Shape, VECTORS};
-use super::profile::{BendingPoint, MEMBRANE, POINTS, ShellProfile, ShellTables, TIES, sum};
+use super::profile::{BendingPoint, MEMBRANE, POINTS, ShellProfile, ShellTables, Tie, sum};
 
 /// Strains, strain rates or stresses of an element: membrane components at the tying points, bending at the integration points.
 #[derive(Clone, Copy, Debug)]
@@ -75,7 +75,7 @@ impl BentPoint {
 #[derive(Clone, Debug)]
 pub(crate) struct SurfaceState {
     /// r_ξ and r_η at the tying points.
-    pub(crate) ties: [[Vector3<f64>; 2]; TIES],
+    pub(crate) ties: [[Vector3<f64>; 2]; MEMBRANE],
     pub(crate) points: [BentPoint; POINTS],
     pub(crate) strains: ShellStrains,
 }
@@ -85,11 +85,12 @@ impl SurfaceState {
     pub(crate) fn new(tables: &ShellTables, profile: &ShellProfile, q: &[Vector3<f64>; VECTORS]) -> Self {
         let mut strains = ShellStrains::ZERO;
         let ties = std::array::from_fn(|t| {
-            let [reference, u] = [profile.ties[t], tables.ties[t].map(|shape| sum(&shape, q))];
-            let membrane = &mut strains.membrane[3 * t..3 * t + 3];
-            membrane[0] = (reference[0] + u[0] * 0.5).dot(&u[0]);
-            membrane[1] = (reference[1] + u[1] * 0.5).dot(&u[1]);
-            membrane[2] = reference[0].dot(&u[1]) + u[0].dot(&reference[1]) + u[0].dot(&u[1]);
+            let Tie { component, shapes } = &tables.ties[t];
+            let [reference, u] = [profile.ties[t], shapes.each_ref().map(|shape| sum(shape, q))];
+            strains.membrane[t] = match component {
+                &k @ (0 | 1) => (reference[k] + u[k] * 0.5).dot(&u[k]),
+                _ => reference[0].dot(&u[1]) + u[0].dot(&reference[1]) + u[0].dot(&u[1]),
+            };
             [reference[0] + u[0], reference[1] + u[1]]
         });
         let points = std::array::from_fn(|k| {
@@ -105,10 +106,12 @@ impl SurfaceState {
     pub(crate) fn rates(&self, tables: &ShellTables, v: &[Vector3<f64>; VECTORS]) -> ShellStrains {
         let mut rates = ShellStrains::ZERO;
         for (t, [a, b]) in self.ties.iter().enumerate() {
-            let [u, w] = tables.ties[t].each_ref().map(|shape| sum(shape, v));
-            rates.membrane[3 * t] = a.dot(&u);
-            rates.membrane[3 * t + 1] = b.dot(&w);
-            rates.membrane[3 * t + 2] = a.dot(&w) + u.dot(b);
+            let Tie { component, shapes } = &tables.ties[t];
+            rates.membrane[t] = match component {
+                0 => a.dot(&sum(&shapes[0], v)),
+                1 => b.dot(&sum(&shapes[1], v)),
+                _ => a.dot(&sum(&shapes[1], v)) + b.dot(&sum(&shapes[0], v)),
+            };
         }
         for (k, point) in self.points.iter().enumerate() {
             let u = tables.points[k].each_ref().map(|shape| sum(shape, v));
@@ -130,9 +133,12 @@ impl SurfaceState {
         force: &mut [Vector3<f64>; VECTORS],
     ) {
         for (t, [a, b]) in self.ties.iter().enumerate() {
-            let n = &stress.membrane[3 * t..3 * t + 3];
-            let (along, across) = (a * n[0] + b * n[2], b * n[1] + a * n[2]);
-            let [x, y] = &tables.ties[t];
+            let (Tie { component, shapes: [x, y] }, n) = (&tables.ties[t], stress.membrane[t]);
+            let (along, across) = match component {
+                0 => (a * n, Vector3::zeros()),
+                1 => (Vector3::zeros(), b * n),
+                _ => (b * n, a * n),
+            };
             for (i, force) in force.iter_mut().enumerate() {
                 *force += along * x[i] + across * y[i];
             }
@@ -164,11 +170,9 @@ impl ShellProfile {
             if self.is_coupled {
                 let n = point.coupling * strains.bending[k];
                 let mut strain = Vector3::zeros();
-                for t in 0..TIES {
-                    for i in 0..3 {
-                        strain[i] += tables.tying[k][t] * strains.membrane[3 * t + i];
-                        stress.membrane[3 * t + i] += tables.tying[k][t] * n[i];
-                    }
+                for (t, Tie { component, .. }) in tables.ties.iter().enumerate() {
+                    strain[*component] += tables.tying[k][t] * strains.membrane[t];
+                    stress.membrane[t] += tables.tying[k][t] * n[*component];
                 }
                 stress.bending[k] += point.coupling.transpose() * strain;
             }

@@ -27,6 +27,7 @@ pub struct Support {
     /// The ground.
     #[serde(skip)]
     #[schemars(skip)]
+    #[unit(none)]
     pub ground: End,
 }
 

@@ -114,8 +114,14 @@ impl BodyTerms {
         })
     }
 
-    /// Returns the strain energy by part.
+    /// Returns the strain energy by part. That of a shell has no parts.
     pub fn strain_energy(&self, state: &State) -> StrainEnergy {
-        self.mesh().map_or_else(StrainEnergy::default, |mesh| mesh.strain_energy(state))
+        match self {
+            Self::Flexible(mesh) => mesh.strain_energy(state),
+            Self::Shell(mesh) => {
+                StrainEnergy { volume: mesh.strain_energy(state), ..StrainEnergy::default() }
+            }
+            Self::Rigid(_) => StrainEnergy::default(),
+        }
     }
 }

@@ -57,6 +57,15 @@ impl Shell48 {
         &self.profile
     }
 
+    /// Returns the strain energy, from the coordinates of the element.
+    pub fn strain_energy(&self, q: &[f64]) -> f64 {
+        let strains = self.state(q).strains;
+        let stress = self.profile.stress(&self.tables, &strains);
+        let membrane: f64 = stress.membrane.iter().zip(&strains.membrane).map(|(n, e)| n * e).sum();
+        let bending: f64 = stress.bending.iter().zip(&strains.bending).map(|(m, k)| m.dot(k)).sum();
+        0.5 * (membrane + bending)
+    }
+
     fn state(&self, q: &[f64]) -> SurfaceState {
         SurfaceState::new(&self.tables, &self.profile, &vectors(q))
     }
@@ -252,15 +261,12 @@ impl Term for Shell48 {
     }
 
     fn energy(&self, at: &Local<'_>) -> Energy {
-        let (v, strains) = (vectors(at.v), self.state(at.q).strains);
-        let stress = self.profile.stress(&self.tables, &strains);
-        let membrane: f64 = stress.membrane.iter().zip(&strains.membrane).map(|(n, e)| n * e).sum();
-        let bending: f64 = stress.bending.iter().zip(&strains.bending).map(|(m, k)| m.dot(k)).sum();
+        let v = vectors(at.v);
         let momentum = self.mass_times(&v);
         let moved = sum(&self.profile.first, &vectors(at.q));
         Energy {
             kinetic: 0.5 * momentum.iter().zip(&v).map(|(p, v)| p.dot(v)).sum::<f64>(),
-            strain: 0.5 * (membrane + bending),
+            strain: self.strain_energy(at.q),
             potential: -at.load * self.profile.medium.gravity.dot(&moved),
         }
     }

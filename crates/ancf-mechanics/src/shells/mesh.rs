@@ -218,6 +218,16 @@ impl ShellMesh {
         (self.first + 3 * i, self.reference[i] + origin)
     }
 
+    /// Returns the strain energy.
+    pub fn strain_energy(&self, s: &State) -> f64 {
+        let of = |element: &Shell48| {
+            let mut q = [0.0; 3 * VECTORS];
+            q.iter_mut().zip(element.coordinates()).for_each(|(q, &c)| *q = s.q[c]);
+            element.strain_energy(&q)
+        };
+        self.elements.iter().map(of).sum()
+    }
+
     /// Returns the integration points of an edge with the lengths that they stand for, element by element.
     pub fn edge_points(&self, edge: ShellEdge) -> Vec<[([f64; 2], f64); 4]> {
         let count = self.divisions[usize::from(edge.along_v)];

@@ -62,7 +62,11 @@ fn study(
     }
     let line = vec![[f64::from(meshes[0]), 1.0], [f64::from(meshes[meshes.len() - 1]), 1.0]];
     let curves = vec![PlotCurve::line("reference", line), PlotCurve::points("computed", points)];
-    found.plot(Plot::new("Displacement, relative to the reference", ["elements along an edge", "ratio"], curves));
+    found.plot(Plot::new(
+        "Displacement, relative to the reference",
+        ["elements along an edge", "ratio"],
+        curves,
+    ));
     Ok(found)
 }
 

@@ -10,9 +10,7 @@ use nalgebra::{DMatrix, DVector, SymmetricEigen};
 use super::cases::{TermCase, terms};
 use super::kind::TermKind;
 use crate::common::random::Random;
-use crate::common::sample::{
-    Sample, derivative, energy, extrapolated_derivative, residual, rounding, sizes, tangent,
-};
+use crate::common::sample::{Sample, energy, extrapolated_derivative, residual, rounding, sizes, tangent};
 
 /// Asserts that two vectors agree relative to the larger one, at least to one.
 pub(super) fn assert_close(what: &str, a: &DVector<f64>, b: &DVector<f64>, tolerance: f64) {

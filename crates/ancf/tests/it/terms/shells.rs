@@ -1,6 +1,9 @@
 //! Thin shell elements of a doubly curved, skew patch.
 
-use ancf::mechanics::shells::{Shell48, ShellMedium, ShellSection};
+use ancf::mechanics::constraints::{ConstrainedVector, LinearConstraint};
+use ancf::mechanics::functions::Function;
+use ancf::mechanics::kinematics::Marker;
+use ancf::mechanics::shells::{Shell48, ShellMedium, ShellMesh, ShellSection, SurfacePressure};
 use ancf::solver::equations::Local;
 use nalgebra::{Matrix3, Rotation3, Vector3};
 
@@ -37,18 +40,45 @@ pub(super) fn element(coupled: bool, damping: [f64; 2]) -> Shell48 {
     Shell48::all([((0..48).collect(), reference())], &medium(coupled, damping)).swap_remove(0)
 }
 
-/// Elements without and with coupling and damping.
+/// Pressure on an element and a support of two nodal vectors.
+fn pressure_and_support() -> [TermCase; 2] {
+    let map = |[u, v]: [f64; 2]| {
+        [
+            Vector3::new(u + 0.2 * u * v, 1.3 * v, 0.3 * u * u),
+            Vector3::new(1.0 + 0.2 * v, 0.0, 0.6 * u),
+            Vector3::new(0.2 * u, 1.3, 0.0),
+            Vector3::new(0.2, 0.0, 0.0),
+        ]
+    };
+    let mesh = ShellMesh::new(0, [1, 1], Vector3::x(), map, &medium(false, [0.0; 2]));
+    let pressure = SurfacePressure::on(&mesh, 1.7, &Function::ONE).swap_remove(0);
+    let vector = |first, is_position| ConstrainedVector {
+        first,
+        reference: Vector3::new(0.3, 1.0, -0.4),
+        direction: Vector3::new(0.2, -0.7, 0.4),
+        is_position,
+    };
+    let about = Marker::fixed(Vector3::y());
+    let support = LinearConstraint::new(vec![vector(0, true), vector(6, false)], &about, 0, "support");
+    [
+        TermCase { name: "pressure".into(), term: Box::new(pressure), kind: TermKind::NonConservative },
+        TermCase { name: "support of a shell".into(), term: Box::new(support), kind: TermKind::Polynomial },
+    ]
+}
+
+/// Elements without and with coupling and damping, their loads and supports.
 pub(super) fn shell_terms() -> impl Iterator<Item = TermCase> {
     let cases = [
         ("shell", false, [0.0; 2], TermKind::Smooth),
         ("shell, coupled", true, [0.0; 2], TermKind::Smooth),
         ("shell, damped", true, [0.2, 0.7], TermKind::Retarded),
     ];
-    cases.into_iter().map(|(name, coupled, damping, kind)| TermCase {
+    let elements = cases.into_iter().map(|(name, coupled, damping, kind)| TermCase {
         name: name.into(),
         term: Box::new(element(coupled, damping)),
         kind,
-    })
+    });
+    elements.chain(pressure_and_support())
 }
 
 /// A finite rigid motion of the deformed element changes no energy, and rotates its forces.

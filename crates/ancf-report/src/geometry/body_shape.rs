@@ -70,6 +70,9 @@ pub struct BodyShape {
     pub axes: [[f64; 3]; 3],
 }
 
+/// Radius of the point of a shell, relative to the size of the model.
+const SHELL_POINT: f64 = 0.01;
+
 /// Axes of bodies without principal axes.
 const GLOBAL: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
@@ -93,7 +96,8 @@ impl BodyShape {
                 (Some(drawn.edges.map(|edge| 0.5 * edge)), drawn.axes)
             }
             Body::Mass(mass) => (Some([point_mass_radius(mass, size); 3]), GLOBAL),
-            Body::Shell(_) | Body::Beam(_) | Body::Cable(_) => (None, GLOBAL),
+            Body::Shell(_) => (Some([SHELL_POINT * size; 3]), GLOBAL),
+            Body::Beam(_) | Body::Cable(_) => (None, GLOBAL),
         };
         let outline = outline_at(model, body, 0.0, SIDES);
         let count = stations.len();

@@ -4,6 +4,7 @@ use ancf_solver::equations::{
     Energy, Inadmissibility, Local, LocalMatrix, LocalStep, Term, Weights, velocity_forces,
 };
 use nalgebra::Vector3;
+use pulp::Arch;
 
 use super::hermite::{Shape, VECTORS};
 use super::profile::{POINTS, ShellMedium, ShellProfile, ShellTables, sum};
@@ -104,23 +105,30 @@ impl Shell48 {
         self.profile.stress(&self.tables, &strains)
     }
 
+    /// Computes `material` times the material stiffness plus the stiffness of stresses.
+    ///
+    /// The loops are compiled for the vector units of the machine.
+    fn stiffness(&self, state: &SurfaceState, material: f64, stress: &ShellStrains) -> Square {
+        let (tables, profile) = (&*self.tables, &*self.profile);
+        Arch::new().dispatch(|| {
+            let mut square = [[0.0; SIZE]; SIZE];
+            state.add_stiffness(tables, profile, (material, stress), &mut square);
+            square
+        })
+    }
+
     /// Adds the tangent for a surface and its stresses.
     fn add_tangent(&self, state: &SurfaceState, stress: &ShellStrains, w: Weights, k: &mut LocalMatrix<'_>) {
-        let (profile, mut square): (_, Square) = (&self.profile, [[0.0; SIZE]; SIZE]);
+        let profile = &self.profile;
         let material = w.q + w.v * profile.medium.retardation;
-        if material != 0.0 {
-            state.add_material(&self.tables, profile, material, &mut square);
-        }
-        if w.q != 0.0 {
-            let mut scaled = ShellStrains::ZERO;
-            scaled.add(w.q, stress);
-            state.add_geometric(&self.tables, &scaled, &mut square);
-        }
+        let mut scaled = ShellStrains::ZERO;
+        scaled.add(w.q, stress);
+        let mut square = self.stiffness(state, material, &scaled);
         let inertia = w.a + profile.medium.mass_damping * w.v;
         if inertia != 0.0 {
             for (a, row) in profile.mass.iter().enumerate() {
                 for (b, mass) in row[..=a].iter().enumerate() {
-                    (0..3).for_each(|i| square[3 * a + i][3 * b + i] += inertia * mass);
+                    (0..3).for_each(|i| square[3 * b + i][3 * a + i] += inertia * mass);
                 }
             }
         }
@@ -166,8 +174,8 @@ impl Shell48 {
 
 /// Adds the lower triangle of a matrix.
 fn add_square(square: &Square, k: &mut LocalMatrix<'_>) {
-    for (i, row) in square.iter().enumerate() {
-        for (j, value) in row[..=i].iter().enumerate() {
+    for (j, column) in square.iter().enumerate() {
+        for (i, value) in column.iter().enumerate().skip(j) {
             k.add(i, j, *value);
         }
     }
@@ -227,17 +235,15 @@ impl Term for Shell48 {
         let mut strains = before.strains;
         strains.add(1.0, &linear);
         strains.add(-1.0, &state.strains);
-        let mut square = [[0.0; SIZE]; SIZE];
-        state.add_geometric(&self.tables, &self.profile.stress(&self.tables, &strains), &mut square);
-        add_square(&square, k);
+        let stress = self.profile.stress(&self.tables, &strains);
+        add_square(&self.stiffness(&state, 0.0, &stress), k);
     }
 
     fn stress_stiffness(&self, at: &Local<'_>, by: &Local<'_>, k: &mut LocalMatrix<'_>) {
         let state = self.state(at.q);
         let strains = state.rates(&self.tables, &vectors(by.q));
-        let mut square = [[0.0; SIZE]; SIZE];
-        state.add_geometric(&self.tables, &self.profile.stress(&self.tables, &strains), &mut square);
-        add_square(&square, k);
+        let stress = self.profile.stress(&self.tables, &strains);
+        add_square(&self.stiffness(&state, 0.0, &stress), k);
     }
 
     fn inadmissibility(&self, at: &Local<'_>) -> Option<Inadmissibility> {

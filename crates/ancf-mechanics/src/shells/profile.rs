@@ -69,6 +69,29 @@ pub(crate) struct Tie {
     pub(crate) component: usize,
     /// Derivatives of the shape functions by ξ and η.
     pub(crate) shapes: [Shape; 2],
+    /// Vectors on which the strain depends, in ascending order, and their number.
+    active: ([usize; VECTORS], usize),
+}
+
+impl Tie {
+    fn new(component: usize, shapes: [Shape; 2]) -> Self {
+        let used = |a: usize| match component {
+            0 => shapes[0][a] != 0.0,
+            1 => shapes[1][a] != 0.0,
+            _ => shapes[0][a] != 0.0 || shapes[1][a] != 0.0,
+        };
+        let mut active = ([0; VECTORS], 0);
+        for a in (0..VECTORS).filter(|&a| used(a)) {
+            active.0[active.1] = a;
+            active.1 += 1;
+        }
+        Self { component, shapes, active }
+    }
+
+    /// Returns the vectors on which the strain depends, in ascending order.
+    pub(crate) fn vectors(&self) -> &[usize] {
+        &self.active.0[..self.active.1]
+    }
 }
 
 /// Integration points of an element with their weights.
@@ -109,11 +132,11 @@ fn each_tie(mut visit: impl FnMut(usize, [&[f64]; 2], [usize; 2])) {
 impl ShellTables {
     pub(crate) fn new() -> Self {
         let points = integration_points();
-        let none = Tie { component: 0, shapes: [[0.0; VECTORS]; 2] };
+        let none = Tie::new(0, [[0.0; VECTORS]; 2]);
         let (mut ties, mut tying, mut row) = ([none; MEMBRANE], [[0.0; MEMBRANE]; POINTS], 0);
         each_tie(|component, [along, across], [i, j]| {
             let at = [along[i], across[j]];
-            ties[row] = Tie { component, shapes: [bicubic(at, [1, 0]), bicubic(at, [0, 1])] };
+            ties[row] = Tie::new(component, [bicubic(at, [1, 0]), bicubic(at, [0, 1])]);
             for (values, ([x, y], _)) in tying.iter_mut().zip(points) {
                 values[row] = lagrange(along, i, x) * lagrange(across, j, y);
             }

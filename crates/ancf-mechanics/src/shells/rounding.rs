@@ -24,7 +24,7 @@ pub(crate) fn add_rounding(
     let mut bending = [[0.0; 3]; POINTS];
     let mut amplified = [0.0; POINTS];
     for (t, reference) in profile.ties.iter().enumerate() {
-        let Tie { component, shapes } = &tables.ties[t];
+        let Tie { component, shapes, .. } = &tables.ties[t];
         let [u, w] = shapes.each_ref().map(|shape| size(shape, q));
         let [x, y] = shapes.each_ref().map(|shape| time * size(shape, v));
         let [a, b] = [reference[0].norm() + u, reference[1].norm() + w];
@@ -78,7 +78,7 @@ fn add_membrane(
             }
         }
     }
-    for (t, Tie { component, shapes: [x, y] }) in tables.ties.iter().enumerate() {
+    for (t, Tie { component, shapes: [x, y], .. }) in tables.ties.iter().enumerate() {
         let [u, w] = [x, y].map(|shape| size(shape, q));
         let [a, b] = [profile.ties[t][0].norm() + u, profile.ties[t][1].norm() + w];
         let of = error[t] + SUM * stress.membrane[t].abs();

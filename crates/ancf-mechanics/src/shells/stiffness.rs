@@ -1,6 +1,6 @@
 //! Tangent of a shell element.
 
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 
 use super::hermite::{Shape, VECTORS};
 use super::profile::{MEMBRANE, ShellProfile, ShellTables, Tie};
@@ -9,13 +9,17 @@ use super::surface_state::{BentPoint, ShellStrains, SurfaceState, VOIGT};
 /// Number of coordinates of an element.
 pub(crate) const SIZE: usize = 3 * VECTORS;
 
-/// Lower triangle of a matrix over the coordinates of an element, by rows.
+/// Lower triangle of a matrix over the coordinates of an element, by columns: entry \[j\]\[i\], i ≥ j.
 pub(crate) type Square = [[f64; SIZE]; SIZE];
+
+/// Row of derivatives by the coordinates of an element.
+type Row = [f64; SIZE];
 
 impl SurfaceState {
     /// Returns the derivatives of a membrane strain.
-    fn membrane_row(&self, tables: &ShellTables, t: usize) -> [f64; SIZE] {
-        let ([a, b], Tie { component, shapes: [x, y] }) = (&self.ties[t], &tables.ties[t]);
+    #[inline(always)]
+    fn membrane_row(&self, tables: &ShellTables, t: usize) -> Row {
+        let ([a, b], Tie { component, shapes: [x, y], .. }) = (&self.ties[t], &tables.ties[t]);
         let mut row = [0.0; SIZE];
         for k in 0..VECTORS {
             for i in 0..3 {
@@ -29,37 +33,38 @@ impl SurfaceState {
         row
     }
 
-    /// Adds `weight` times the material stiffness Bᵀ D B.
-    pub(crate) fn add_material(
+    /// Adds the stiffness: `material` times Bᵀ D B, plus Σ σ ∂²ε/∂q² of the given stresses.
+    #[inline(always)]
+    pub(crate) fn add_stiffness(
         &self,
         tables: &ShellTables,
         profile: &ShellProfile,
-        weight: f64,
+        (material, stress): (f64, &ShellStrains),
         k: &mut Square,
     ) {
-        let rows: [[f64; SIZE]; MEMBRANE] = std::array::from_fn(|t| self.membrane_row(tables, t));
-        for (row, stiffness) in rows.iter().zip(&*profile.membrane) {
-            let mut stress = [0.0; SIZE];
-            for (d, other) in stiffness.iter().zip(&rows) {
-                let d = d * weight;
-                stress.iter_mut().zip(other).for_each(|(stress, strain)| *stress += d * strain);
-            }
-            add_outer(row, &stress, k);
-        }
-        for (p, point) in self.points.iter().enumerate() {
-            let c = point.gradients(&tables.points[p]);
-            let d = profile.points[p].bending * weight;
-            let stress: [Shape; 3] =
-                std::array::from_fn(|i| std::array::from_fn(|a| (0..3).map(|j| d[(i, j)] * c[j][a]).sum()));
-            let n = &point.normal;
-            for a in 0..VECTORS {
-                for b in 0..=a {
-                    let q: f64 = (0..3).map(|i| c[i][a] * stress[i][b]).sum();
-                    add_block(a, b, |i, j| q * n[i] * n[j], k);
+        let rows: [Row; MEMBRANE] = std::array::from_fn(|t| self.membrane_row(tables, t));
+        if material != 0.0 {
+            for (t, stiffness) in profile.membrane.iter().enumerate() {
+                let mut forces = [0.0; SIZE];
+                for (s, d) in stiffness.iter().enumerate() {
+                    let d = d * material;
+                    for &v in tables.ties[s].vectors() {
+                        (3 * v..3 * v + 3).for_each(|i| forces[i] += d * rows[s][i]);
+                    }
+                }
+                for &v in tables.ties[t].vectors() {
+                    (3 * v..3 * v + 3).for_each(|j| add_column(&mut k[j], j, rows[t][j], &forces));
                 }
             }
-            if profile.is_coupled {
-                self.add_coupling(&c, (&rows, tables, p), profile.points[p].coupling * weight, n, k);
+        }
+        self.add_membrane_geometry(tables, stress, k);
+        for (p, point) in self.points.iter().enumerate() {
+            let d = profile.points[p].bending * material;
+            point.add_stiffness(&tables.points[p], (&d, &stress.bending[p]), k);
+            if profile.is_coupled && material != 0.0 {
+                let c = point.gradients(&tables.points[p]);
+                let coupling = profile.points[p].coupling * material;
+                self.add_coupling(&c, (&rows, tables, p), coupling, &point.normal, k);
             }
         }
     }
@@ -68,8 +73,8 @@ impl SurfaceState {
     fn add_coupling(
         &self,
         c: &[Shape; 3],
-        (rows, tables, point): (&[[f64; SIZE]; MEMBRANE], &ShellTables, usize),
-        coupling: nalgebra::Matrix3<f64>,
+        (rows, tables, point): (&[Row; MEMBRANE], &ShellTables, usize),
+        coupling: Matrix3<f64>,
         n: &Vector3<f64>,
         k: &mut Square,
     ) {
@@ -84,73 +89,76 @@ impl SurfaceState {
                 let of: f64 = (0..3).map(|j| coupling[(i, j)] * c[j][a]).sum();
                 (0..3).for_each(|m| moment[3 * a + m] = -n[m] * of);
             }
-            add_outer(strain, &moment, k);
-            add_outer(&moment, strain, k);
+            for j in 0..SIZE {
+                add_column(&mut k[j], j, strain[j], &moment);
+                add_column(&mut k[j], j, moment[j], strain);
+            }
         }
     }
 
-    /// Adds the stiffness Σ σ ∂²ε/∂q² of stresses.
-    pub(crate) fn add_geometric(&self, tables: &ShellTables, stress: &ShellStrains, k: &mut Square) {
-        for (t, Tie { component, shapes: [x, y] }) in tables.ties.iter().enumerate() {
-            let n = stress.membrane[t];
-            for a in 0..VECTORS {
-                let (along, across) = match component {
+    /// Adds the stiffness of membrane stresses.
+    #[inline(always)]
+    fn add_membrane_geometry(&self, tables: &ShellTables, stress: &ShellStrains, k: &mut Square) {
+        for (tie, &n) in tables.ties.iter().zip(&stress.membrane) {
+            let [x, y] = &tie.shapes;
+            let vectors = tie.vectors();
+            for (place, &a) in vectors.iter().enumerate() {
+                let (along, across) = match tie.component {
                     0 => (n * x[a], 0.0),
                     1 => (0.0, n * y[a]),
                     _ => (n * y[a], n * x[a]),
                 };
-                for b in 0..=a {
+                for &b in &vectors[place..] {
                     let value = along * x[b] + across * y[b];
                     (0..3).for_each(|i| k[3 * a + i][3 * b + i] += value);
                 }
             }
         }
-        for (p, point) in self.points.iter().enumerate() {
-            point.add_geometric(&tables.points[p], &stress.bending[p], k);
-        }
     }
 }
 
 impl BentPoint {
-    /// Adds the stiffness of moments: with c_m = Σ m c, b_m = Σ m b and w_a = a^γ N_a,γ,
-    /// n nᵀ b_m (w_a·w_b) + c_m,a w_b nᵀ + c_m,b n w_aᵀ.
-    fn add_geometric(&self, shapes: &[Shape; 5], m: &Vector3<f64>, k: &mut Square) {
+    /// Adds the stiffness of a point with the bending stiffness D and the moments m: with the gradients c, c_m = Σ m c, b_m = Σ m b
+    /// and w_a = a^γ N_a,γ the blocks n nᵀ (c_a·D c_b + b_m w_a·w_b) + c_m,a w_b nᵀ + c_m,b n w_aᵀ.
+    #[inline(always)]
+    fn add_stiffness(&self, shapes: &[Shape; 5], (d, m): (&Matrix3<f64>, &Vector3<f64>), k: &mut Square) {
         let gradients = self.gradients(shapes);
-        let c: Shape = std::array::from_fn(|a| (0..3).map(|i| m[i] * gradients[i][a]).sum());
-        let w: [Vector3<f64>; VECTORS] =
-            std::array::from_fn(|a| self.dual[0] * shapes[0][a] + self.dual[1] * shapes[1][a]);
         let n = &self.normal;
         let bent: f64 = (0..3).map(|i| VOIGT[i] * m[i] * self.second[i].dot(n)).sum();
+        let (mut c, mut w, mut stress) = ([0.0; VECTORS], [[0.0; VECTORS]; 3], [[0.0; VECTORS]; 3]);
         for a in 0..VECTORS {
-            for b in 0..=a {
-                let inner = bent * w[a].dot(&w[b]);
-                add_block(
-                    a,
-                    b,
-                    |i, j| n[i] * n[j] * inner + c[a] * w[b][i] * n[j] + c[b] * n[i] * w[a][j],
-                    k,
-                );
+            for i in 0..3 {
+                c[a] += m[i] * gradients[i][a];
+                w[i][a] = self.dual[0][i] * shapes[0][a] + self.dual[1][i] * shapes[1][a];
+                stress[i][a] = (0..3).map(|j| d[(i, j)] * gradients[j][a]).sum();
+            }
+        }
+        // Columns w_b,i n and c_b, over the coordinates of all b.
+        let mut turned = [[0.0; SIZE]; 3];
+        for b in 0..VECTORS {
+            for i in 0..3 {
+                (0..3).for_each(|j| turned[i][3 * b + j] = w[i][b] * n[j]);
+            }
+        }
+        for a in 0..VECTORS {
+            let mut common = [0.0; SIZE];
+            for b in a..VECTORS {
+                let scalar: f64 =
+                    (0..3).map(|i| stress[i][a] * gradients[i][b] + bent * w[i][a] * w[i][b]).sum();
+                (0..3).for_each(|j| common[3 * b + j] = n[j] * scalar + c[b] * w[j][a]);
+            }
+            for i in 0..3 {
+                let (column, turned, n, c) = (&mut k[3 * a + i], &turned[i], n[i], c[a]);
+                for r in 3 * a..SIZE {
+                    column[r] += n * common[r] + c * turned[r];
+                }
             }
         }
     }
 }
 
-/// Adds a block over the nodal vectors a ≥ b.
-#[inline]
-fn add_block(a: usize, b: usize, block: impl Fn(usize, usize) -> f64, k: &mut Square) {
-    for i in 0..3 {
-        for j in 0..3 {
-            k[3 * a + i][3 * b + j] += block(i, j);
-        }
-    }
-}
-
-/// Adds the lower triangle of x yᵀ.
-#[inline]
-fn add_outer(x: &[f64; SIZE], y: &[f64; SIZE], k: &mut Square) {
-    for (i, (row, x)) in k.iter_mut().zip(x).enumerate() {
-        if *x != 0.0 {
-            row[..=i].iter_mut().zip(y).for_each(|(value, y)| *value += x * y);
-        }
-    }
+/// Adds x y to the column j of a lower triangle.
+#[inline(always)]
+fn add_column(column: &mut Row, j: usize, x: f64, y: &Row) {
+    column[j..].iter_mut().zip(&y[j..]).for_each(|(value, y)| *value += x * y);
 }

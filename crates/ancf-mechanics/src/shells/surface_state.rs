@@ -85,7 +85,7 @@ impl SurfaceState {
     pub(crate) fn new(tables: &ShellTables, profile: &ShellProfile, q: &[Vector3<f64>; VECTORS]) -> Self {
         let mut strains = ShellStrains::ZERO;
         let ties = std::array::from_fn(|t| {
-            let Tie { component, shapes } = &tables.ties[t];
+            let Tie { component, shapes, .. } = &tables.ties[t];
             let [reference, u] = [profile.ties[t], shapes.each_ref().map(|shape| sum(shape, q))];
             strains.membrane[t] = match component {
                 &k @ (0 | 1) => (reference[k] + u[k] * 0.5).dot(&u[k]),
@@ -106,7 +106,7 @@ impl SurfaceState {
     pub(crate) fn rates(&self, tables: &ShellTables, v: &[Vector3<f64>; VECTORS]) -> ShellStrains {
         let mut rates = ShellStrains::ZERO;
         for (t, [a, b]) in self.ties.iter().enumerate() {
-            let Tie { component, shapes } = &tables.ties[t];
+            let Tie { component, shapes, .. } = &tables.ties[t];
             rates.membrane[t] = match component {
                 0 => a.dot(&sum(&shapes[0], v)),
                 1 => b.dot(&sum(&shapes[1], v)),
@@ -133,7 +133,7 @@ impl SurfaceState {
         force: &mut [Vector3<f64>; VECTORS],
     ) {
         for (t, [a, b]) in self.ties.iter().enumerate() {
-            let (Tie { component, shapes: [x, y] }, n) = (&tables.ties[t], stress.membrane[t]);
+            let (Tie { component, shapes: [x, y], .. }, n) = (&tables.ties[t], stress.membrane[t]);
             let (along, across) = match component {
                 0 => (a * n, Vector3::zeros()),
                 1 => (Vector3::zeros(), b * n),

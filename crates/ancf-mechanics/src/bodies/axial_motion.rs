@@ -56,7 +56,7 @@ impl BeamMesh {
         for ((kind, value, directors), vector) in self.weights(xi).into_iter().zip(vectors) {
             match kind {
                 VectorKind::Position | VectorKind::Slope | VectorKind::Twist => {
-                    axes[0] += vector * directors[0]
+                    axes[0] += vector * directors[0];
                 }
                 VectorKind::Y => axes[1] += vector * value,
                 VectorKind::Z => axes[2] += vector * value,

@@ -14,9 +14,9 @@ kind = "circle"
 diameter = 0.02
 "#;
 
-/// Returns the model file of an open chain of rigid rods with hinges in turn about y and z, and one step.
-pub fn chain(bodies: u32) -> String {
-    let mut text = format!("{HEAD}{}", dynamics(1, 0));
+/// Returns the model file of an open chain of rigid rods with hinges in turn about y and z.
+pub fn chain(bodies: u32, steps: u32) -> String {
+    let mut text = format!("{HEAD}{}", dynamics(steps, 0));
     for k in 0..bodies {
         let x = 0.1 * f64::from(k);
         let axis = if k.is_multiple_of(2) { "[0.0, 1.0, 0.0]" } else { "[0.0, 0.0, 1.0]" };

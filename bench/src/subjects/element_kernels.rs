@@ -1,5 +1,6 @@
 use std::hint::black_box;
 
+use ancf::mechanics::batches::term_batches;
 use ancf::mechanics::bodies::BeamMesh;
 use ancf::solver::equations::{
     Batch, LANES, LOCAL, Lanes, Local, LocalLanes, LocalMatrix, State, Term, Weights,
@@ -37,12 +38,12 @@ impl ElementKernels {
         let terms = mesh.terms();
         let count = terms.len();
         let mut batched = vec![false; count];
-        let gathered = |(first, batch): (usize, Box<dyn Batch>)| {
-            let own = first..first + batch.count();
-            batched[own.clone()].fill(true);
-            GatheredBatch { at: [&s.q, &s.v, &s.a].map(|x| lanes(&terms[own.clone()], x)), batch }
+        let gathered = |(own, batch): (Vec<usize>, Box<dyn Batch>)| {
+            own.iter().for_each(|&term| batched[term] = true);
+            let own: Vec<&dyn Term> = own.iter().map(|&term| &*terms[term]).collect();
+            GatheredBatch { at: [&s.q, &s.v, &s.a].map(|x| lanes(&own, x)), batch }
         };
-        let batches = mesh.batches().into_iter().map(gathered).collect();
+        let batches = term_batches(&terms).into_iter().map(gathered).collect();
         let single = terms.into_iter().zip(batched).filter(|(_, batched)| !batched).map(|(term, _)| {
             let of = |x: &[f64]| term.coordinates().iter().map(|&c| x[c]).collect();
             GatheredTerm { at: [of(&s.q), of(&s.v), of(&s.a)], term }
@@ -94,7 +95,7 @@ impl ElementKernels {
 }
 
 /// Coordinates of terms, each term in a lane. Surplus lanes repeat the last term.
-fn lanes(terms: &[Box<dyn Term>], x: &[f64]) -> Vec<Lanes> {
+fn lanes(terms: &[&dyn Term], x: &[f64]) -> Vec<Lanes> {
     let of = |i: usize| {
         Lanes(std::array::from_fn::<_, LANES, _>(|l| x[terms[l.min(terms.len() - 1)].coordinates()[i]]))
     };
@@ -102,7 +103,7 @@ fn lanes(terms: &[Box<dyn Term>], x: &[f64]) -> Vec<Lanes> {
 }
 
 fn local_lanes([q, v, a]: &[Vec<Lanes>; 3]) -> LocalLanes<'_> {
-    LocalLanes { q, v, a, load: 1.0 }
+    LocalLanes { q, v, a, lambda: &[], load: 1.0 }
 }
 
 fn local([q, v, a]: &[Vec<f64>; 3]) -> Local<'_> {

@@ -14,8 +14,15 @@ const fn row(name: &'static str, unit: RowUnit, goal: f64) -> RowSpec {
     RowSpec { name, unit, goal, peer: None, large: true }
 }
 
+/// Row of modes, with the time of SciPy 1.17 (`eigsh`, shift and invert at zero) for the same matrices without reading and writing.
+const fn scipy(name: &'static str, goal: f64, theirs: f64) -> RowSpec {
+    RowSpec { peer: Some(("SciPy", theirs)), ..row(name, RowUnit::Seconds, goal) }
+}
+
 /// Number of rigid bodies of the chain.
 const BODIES: u32 = 10_000;
+/// Number of rigid bodies and of time steps of a chain in motion.
+const MOVING: (u32, u32) = (1000, 201);
 /// Number of time steps with probes.
 const STEPS: u32 = 1000;
 /// Number of probes.
@@ -24,14 +31,17 @@ const PROBES: u32 = 1000;
 const FRAMES: (u32, u32) = (10_000, 6);
 
 /// All rows.
-pub(super) const ROWS: [(RowSpec, Measure); 7] = [
+pub(super) const ROWS: [(RowSpec, Measure); 10] = [
+    (row("step of a chain, per rigid body", RowUnit::Microseconds, 2.2), chain_step),
     (row("run of one step, per rigid body", RowUnit::Microseconds, 250.0), chain_run),
     (row("check, per rigid body", RowUnit::Microseconds, 250.0), chain_check),
     (row("1000 probes against 1, 1000 steps", RowUnit::Factor, 5.0), probe_factor),
     (row("memory, 1000 probes", RowUnit::Megabytes, 100.0), probe_memory),
     (row("ParaView, a frame of 1e4 elements", RowUnit::Seconds, 0.2), paraview_frame),
     (row("memory, ParaView, 1e4 elements", RowUnit::Megabytes, 100.0), paraview_memory),
-    (row("10 modes, 5000 cable elements", RowUnit::Seconds, 0.15), lowest_modes),
+    (scipy("10 modes, 1000 cable elements", 0.0375, 0.025), || lowest_modes(1000)),
+    (scipy("10 modes, 5000 cable elements", 0.165, 0.11), || lowest_modes(5000)),
+    (scipy("10 modes, 20 000 cable elements", 0.93, 0.62), || lowest_modes(20_000)),
 ];
 
 fn measured(value: f64, note: impl Into<String>) -> Result<MeasuredValue> {
@@ -54,12 +64,20 @@ fn per_body(cost: ProgramCost) -> Result<MeasuredValue> {
     measured(1e6 * cost.processor / f64::from(BODIES), format!("{BODIES} bodies"))
 }
 
+/// Difference of the costs of many steps and of one step, with a row of results per step.
+fn chain_step() -> Result<MeasuredValue> {
+    let (bodies, steps) = MOVING;
+    let (many, one) = (with_model(&chain(bodies, steps), run)?, with_model(&chain(bodies, 1), run)?);
+    let per_step = (many.processor - one.processor) / f64::from(steps - 1);
+    measured(1e6 * per_step / f64::from(bodies), format!("{bodies} bodies, {} steps", steps - 1))
+}
+
 fn chain_run() -> Result<MeasuredValue> {
-    per_body(with_model(&chain(BODIES), run)?)
+    per_body(with_model(&chain(BODIES, 1), run)?)
 }
 
 fn chain_check() -> Result<MeasuredValue> {
-    per_body(with_model(&chain(BODIES), |folder| program_run(folder, &["check", "model.toml"]))?)
+    per_body(with_model(&chain(BODIES, 1), |folder| program_run(folder, &["check", "model.toml"]))?)
 }
 
 fn probe_factor() -> Result<MeasuredValue> {
@@ -90,6 +108,6 @@ fn paraview_memory() -> Result<MeasuredValue> {
     measured(1e-6 * paraview(FRAMES.1)?.memory, "maximum resident memory")
 }
 
-fn lowest_modes() -> Result<MeasuredValue> {
-    measured(with_model(&modes(5000), run)?.processor, "with error estimates and output files")
+fn lowest_modes(elements: u32) -> Result<MeasuredValue> {
+    measured(with_model(&modes(elements), run)?.processor, "with error estimates and output files")
 }

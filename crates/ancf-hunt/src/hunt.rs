@@ -2,10 +2,13 @@
 
 use std::collections::BTreeMap;
 use std::fmt;
+use std::num::NonZeroUsize;
+use std::ops::Range;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::thread;
 
 use ancf::Model;
 use ancf::model::Analysis;
-use rayon::prelude::*;
 
 use crate::compare::{Case, Cause, Finding};
 use crate::generate::model;
@@ -115,14 +118,43 @@ pub fn check(seed: u64, number: u64, model: Model, share: f64) -> Report {
     report
 }
 
-/// Hunts with models of a seed, on all threads of the pool.
+/// Stack size of a worker in bytes, as of a main thread.
+const STACK: usize = 8 << 20;
+
+/// Hunts with models of a seed on all processors, one model at a time on each.
+///
+/// Every worker has a pool of one thread. In a common pool, a worker that waits for a part of one model would begin another model
+/// meanwhile, and so on to any depth of its stack.
 ///
 /// # Errors
-/// If the generator states a model of a wrong form.
-pub fn hunt(seed: u64, numbers: std::ops::Range<u64>, share: f64) -> Result<Report, String> {
-    let reports: Result<Vec<Report>, String> =
-        numbers.into_par_iter().map(|number| Ok(check(seed, number, case(seed, number)?, share))).collect();
-    Ok(reports?.into_iter().fold(Report::default(), Report::with))
+/// If the generator states a model of a wrong form, or a thread cannot be started.
+pub fn hunt(seed: u64, numbers: Range<u64>, share: f64) -> Result<Report, String> {
+    let workers = thread::available_parallelism().map_or(1, NonZeroUsize::get);
+    let next = AtomicU64::new(numbers.start);
+    let take = || Some(next.fetch_add(1, Ordering::Relaxed)).filter(|number| *number < numbers.end);
+    let work = || -> Result<Vec<Report>, String> {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(1).stack_size(STACK).build();
+        let pool = pool.map_err(|error| error.to_string())?;
+        pool.install(|| {
+            let check = |number| Ok(check(seed, number, case(seed, number)?, share));
+            std::iter::from_fn(take).map(check).collect()
+        })
+    };
+    let parts = thread::scope(|scope| -> Vec<Result<Vec<Report>, String>> {
+        let threads: Vec<_> = (0..workers).map(|_| scope.spawn(work)).collect();
+        let result = |thread: thread::ScopedJoinHandle<'_, _>| {
+            thread.join().unwrap_or_else(|_| Err("a worker panicked".to_owned()))
+        };
+        threads.into_iter().map(result).collect()
+    });
+    let mut whole = Report::default();
+    for reports in parts {
+        whole = reports?.into_iter().fold(whole, Report::with);
+    }
+    whole.violations.sort_by_key(|violation| violation.number);
+    whole.explained.sort_by_key(|explained| explained.0);
+    whole.refusals.sort_by_key(|refusal| refusal.0);
+    Ok(whole)
 }
 
 impl Report {

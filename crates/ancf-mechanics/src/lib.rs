@@ -4,6 +4,7 @@
 //! units and results.
 
 mod batch;
+pub mod batches;
 pub mod bodies;
 pub mod constraints;
 pub mod contact;

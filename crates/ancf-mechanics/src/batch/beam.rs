@@ -1,9 +1,9 @@
 use std::sync::Arc;
 
-use ancf_solver::equations::{Batch, LANES, Lanes, LocalLanes, Weights};
+use ancf_solver::equations::{LANES, Lanes, LocalLanes, Term, Weights};
 use pulp::Simd;
 
-use super::batched::BatchElements;
+use super::batched::{BatchTerm, TermBatch, consecutive, elements_of_bodies};
 use super::beam_law::{BatchStation, BeamLaw};
 use super::kernel::{BatchKernel, KernelBatch};
 use super::lane::{Lane, LaneNumber, Pass, VectorLanes, dot, plus, scaled};
@@ -22,31 +22,34 @@ struct BeamBatch<const N: usize, const A: usize, const B: usize, C> {
     reference: Vec<[[Lanes; 3]; 7]>,
 }
 
-impl BatchElements for Beam24 {
-    fn batches(elements: &[Self]) -> Vec<(usize, Box<dyn Batch>)> {
+impl BatchTerm for Beam24 {
+    fn batches(elements: &[&Self]) -> Vec<TermBatch> {
         batches::<8, 3, 2, BeamShape>(elements)
     }
 }
 
-impl BatchElements for Beam27 {
-    fn batches(elements: &[Self]) -> Vec<(usize, Box<dyn Batch>)> {
+impl BatchTerm for Beam27 {
+    fn batches(elements: &[&Self]) -> Vec<TermBatch> {
         batches::<9, 2, 3, QuadraticShape>(elements)
     }
 }
 
 fn batches<const N: usize, const A: usize, const B: usize, S: Interpolation<N>>(
-    elements: &[BeamElement<N, S>],
-) -> Vec<(usize, Box<dyn Batch>)> {
-    let mut batches: Vec<(usize, Box<dyn Batch>)> = Vec::new();
+    elements: &[&BeamElement<N, S>],
+) -> Vec<TermBatch>
+where
+    BeamElement<N, S>: Term,
+{
+    let mut batches: Vec<TermBatch> = Vec::new();
     let mut last: Option<(&BeamElement<N, S>, Arc<BeamLaw<N, A, B, f64>>)> = None;
-    for (chunk, elements) in elements.chunks(LANES).enumerate() {
-        let (first, head) = (chunk * LANES, &elements[0]);
+    for (first, elements) in elements_of_bodies(elements) {
+        let head = elements[0];
         let congruent = elements.iter().all(|element| Arc::ptr_eq(&element.profile, &head.profile));
         if !congruent {
             let profiles: Vec<_> = elements.iter().map(|element| &*element.profile).collect();
             let law = BeamLaw::<N, A, B, Lanes>::new::<S>(&profiles);
             let batch = law.map(|law| BeamBatch::new(elements, Arc::new(law)));
-            batches.extend(batch.map(|batch| (first, Box::new(KernelBatch(batch)) as Box<dyn Batch>)));
+            batches.extend(batch.map(|batch| consecutive(first, KernelBatch(batch))));
             continue;
         }
         let known = last.as_ref().filter(|(known, _)| Arc::ptr_eq(&known.profile, &head.profile));
@@ -55,7 +58,7 @@ fn batches<const N: usize, const A: usize, const B: usize, S: Interpolation<N>>(
             None => BeamLaw::new::<S>(&[&*head.profile]).map(Arc::new),
         };
         if let Some(law) = law {
-            batches.push((first, Box::new(KernelBatch(BeamBatch::new(elements, Arc::clone(&law))))));
+            batches.push(consecutive(first, KernelBatch(BeamBatch::new(elements, Arc::clone(&law)))));
             last = Some((head, law));
         }
     }
@@ -63,7 +66,7 @@ fn batches<const N: usize, const A: usize, const B: usize, S: Interpolation<N>>(
 }
 
 impl<const N: usize, const A: usize, const B: usize, C: LaneNumber> BeamBatch<N, A, B, C> {
-    fn new<S: Interpolation<N>>(elements: &[BeamElement<N, S>], law: Arc<BeamLaw<N, A, B, C>>) -> Self {
+    fn new<S: Interpolation<N>>(elements: &[&BeamElement<N, S>], law: Arc<BeamLaw<N, A, B, C>>) -> Self {
         let at = |s: usize| {
             let directors: Vec<_> = elements
                 .iter()

@@ -1,9 +1,9 @@
 use std::sync::Arc;
 
-use ancf_solver::equations::{Batch, LANES, Lanes, LocalLanes, Weights};
+use ancf_solver::equations::{LANES, Lanes, LocalLanes, Weights};
 use pulp::Simd;
 
-use super::batched::BatchElements;
+use super::batched::{BatchTerm, TermBatch, consecutive, elements_of_bodies};
 use super::bend::BendLanes;
 use super::kernel::{BatchKernel, KernelBatch};
 use super::lane::{Lane, LaneNumber, Pass, VectorLanes, added, dot, minus, plus, scaled};
@@ -21,9 +21,9 @@ struct CableBatch {
     direction: [Lanes; 3],
 }
 
-impl BatchElements for Cable12 {
-    fn batches(elements: &[Self]) -> Vec<(usize, Box<dyn Batch>)> {
-        let of = |(chunk, elements): (usize, &[Self])| {
+impl BatchTerm for Cable12 {
+    fn batches(elements: &[&Self]) -> Vec<TermBatch> {
+        let of = |(first, elements): (usize, &[&Self])| {
             let profile = &elements[0].profile;
             let shared = elements.iter().all(|element| Arc::ptr_eq(&element.profile, profile));
             let component = |axis: usize| -> Vec<f64> {
@@ -31,9 +31,9 @@ impl BatchElements for Cable12 {
             };
             let direction = std::array::from_fn(|axis| Lanes::of(&component(axis)));
             let batch = CableBatch { count: elements.len(), profile: Arc::clone(profile), direction };
-            shared.then(|| (chunk * LANES, Box::new(KernelBatch(batch)) as Box<dyn Batch>))
+            shared.then(|| consecutive(first, KernelBatch(batch)))
         };
-        elements.chunks(LANES).enumerate().filter_map(of).collect()
+        elements_of_bodies(elements).filter_map(of).collect()
     }
 }
 

@@ -1,4 +1,4 @@
-use ancf_solver::equations::{Batch, Energy, LANES, Lanes, LocalLanes, Weights};
+use ancf_solver::equations::{Batch, Energy, LANES, Lanes, Level, LocalLanes, Weights};
 use pulp::Simd;
 
 use super::lane::{Lane, Pass, PassJob, run, total};
@@ -10,9 +10,22 @@ pub(crate) trait BatchKernel: Send + Sync {
     /// Returns true if any force depends on velocities.
     fn is_damped(&self) -> bool;
 
+    /// Returns true for constraints only ([`Batch::is_constraint`]).
+    fn is_constraint(&self) -> bool {
+        false
+    }
+
+    /// Returns the entries of sparse tangents.
+    fn entries(&self) -> Option<&[[u8; 2]]> {
+        None
+    }
+
     fn add_residual<S: Simd>(&self, pass: Pass<S>, at: &LocalLanes<'_>, r: &mut [Lanes]);
 
     fn set_tangent<S: Simd>(&self, pass: Pass<S>, at: &LocalLanes<'_>, w: Weights, k: &mut [Lanes]);
+
+    /// Adds the constraints of terms with multipliers.
+    fn add_constraints<S: Simd>(&self, _: Pass<S>, _: &LocalLanes<'_>, _: Level, _: &mut [Lanes]) {}
 
     /// Returns kinetic, strain and potential energies.
     fn energies<S: Simd>(&self, pass: Pass<S>, at: &LocalLanes<'_>) -> [Lane<S>; 3];
@@ -37,6 +50,14 @@ impl<K: BatchKernel> Batch for KernelBatch<K> {
         run(self.0.count(), TangentJob { kernel: &self.0, at, w, k });
     }
 
+    fn entries(&self) -> Option<&[[u8; 2]]> {
+        self.0.entries()
+    }
+
+    fn constraints(&self, at: &LocalLanes<'_>, level: Level, phi: &mut [Lanes]) {
+        run(self.0.count(), ConstraintsJob { kernel: &self.0, at, level, phi });
+    }
+
     fn energy(&self, at: &LocalLanes<'_>) -> Energy {
         let (count, mut parts) = (self.0.count(), [Lanes::default(); 3]);
         run(count, EnergyJob { kernel: &self.0, at, parts: &mut parts });
@@ -48,6 +69,10 @@ impl<K: BatchKernel> Batch for KernelBatch<K> {
         let (count, mut admissible) = (self.0.count(), [true; LANES]);
         run(count, AdmissibleJob { kernel: &self.0, at, admissible: &mut admissible });
         admissible[..count].iter().position(|admissible| !admissible)
+    }
+
+    fn is_constraint(&self) -> bool {
+        self.0.is_constraint()
     }
 
     fn is_damped(&self) -> bool {
@@ -97,6 +122,20 @@ impl<K: BatchKernel> PassJob for TangentJob<'_, K> {
     #[inline(always)]
     fn run<S: Simd>(&mut self, pass: Pass<S>) {
         self.kernel.set_tangent(pass, self.at, self.w, self.k);
+    }
+}
+
+struct ConstraintsJob<'a, K> {
+    kernel: &'a K,
+    at: &'a LocalLanes<'a>,
+    level: Level,
+    phi: &'a mut [Lanes],
+}
+
+impl<K: BatchKernel> PassJob for ConstraintsJob<'_, K> {
+    #[inline(always)]
+    fn run<S: Simd>(&mut self, pass: Pass<S>) {
+        self.kernel.add_constraints(pass, self.at, self.level, self.phi);
     }
 }
 

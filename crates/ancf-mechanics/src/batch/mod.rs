@@ -13,4 +13,7 @@ mod stiffness;
 mod strain;
 mod triangle;
 
-pub(crate) use batched::BatchElements;
+pub use batched::TermBatch;
+pub(crate) use batched::{BatchTerm, alike};
+pub(crate) use kernel::{BatchKernel, KernelBatch};
+pub(crate) use lane::{Lane, LaneNumber, Pass, VectorLanes, added, dot, dot_add, plus, scaled};

@@ -1,4 +1,4 @@
-use ancf_solver::equations::{Batch, State, Term};
+use ancf_solver::equations::{State, Term};
 use nalgebra::Vector3;
 
 use super::mesh::BeamMesh;
@@ -56,13 +56,8 @@ impl BodyTerms {
         match self {
             Self::Flexible(mesh) => mesh.terms(),
             Self::Shell(mesh) => mesh.terms(),
-            Self::Rigid(body) => body.terms(),
+            Self::Rigid(body) => vec![body.term()],
         }
-    }
-
-    /// Returns batches of the terms, each with the index of its first term.
-    pub fn batches(&self) -> Vec<(usize, Box<dyn Batch>)> {
-        self.mesh().map_or_else(Vec::new, BeamMesh::batches)
     }
 
     /// Returns the sums Σ m x over parts of the body.

@@ -1,7 +1,7 @@
 use std::fmt;
 use std::sync::Arc;
 
-use ancf_solver::equations::{Batch, State, Term};
+use ancf_solver::equations::{State, Term};
 use nalgebra::{Matrix3, Vector3};
 
 use super::mesh_element::{ElementList, VectorWeights};
@@ -212,11 +212,6 @@ impl BeamMesh {
     /// Returns the elements as terms.
     pub fn terms(&self) -> Vec<Box<dyn Term>> {
         self.elements.terms()
-    }
-
-    /// Returns batches of the terms, each with the index of its first term.
-    pub fn batches(&self) -> Vec<(usize, Box<dyn Batch>)> {
-        self.elements.batches()
     }
 
     /// Returns the strain energy of all elements by part.

@@ -1,8 +1,7 @@
 use std::fmt;
 
-use ancf_solver::equations::{Batch, Term};
+use ancf_solver::equations::Term;
 
-use crate::batch::BatchElements;
 use crate::elements::{Beam24, Beam27, Cable12, StrainEnergy};
 use crate::kinematics::{BeamShape, Interpolation, QuadraticShape, VectorKind};
 
@@ -11,9 +10,8 @@ pub(crate) type VectorWeights = (VectorKind, f64, [f64; 3]);
 
 /// Element type of a mesh along an axis.
 ///
-/// A new type implements this trait beside [`Term`] and [`BatchElements`], and gets a constructor of
-/// [`BeamMesh`](super::BeamMesh).
-pub(crate) trait MeshElement: Term + BatchElements + Clone + fmt::Debug + 'static {
+/// A new type implements this trait beside [`Term`], and gets a constructor of [`BeamMesh`](super::BeamMesh).
+pub(crate) trait MeshElement: Term + Clone + fmt::Debug + 'static {
     /// Kinds of the vectors of a node.
     const NODE: &'static [VectorKind];
 
@@ -116,9 +114,6 @@ pub(crate) trait ElementList: fmt::Debug + Send + Sync {
     /// Copies the elements as terms.
     fn terms(&self) -> Vec<Box<dyn Term>>;
 
-    /// Returns batches of the elements, each with the index of its first element.
-    fn batches(&self) -> Vec<(usize, Box<dyn Batch>)>;
-
     /// Returns the strain energy of an element by part at its coordinates.
     fn strain_energy(&self, element: usize, q: &[f64]) -> StrainEnergy;
 
@@ -149,10 +144,6 @@ impl<E: MeshElement> ElementList for Vec<E> {
 
     fn terms(&self) -> Vec<Box<dyn Term>> {
         self.iter().map(|element| Box::new(element.clone()) as _).collect()
-    }
-
-    fn batches(&self) -> Vec<(usize, Box<dyn Batch>)> {
-        E::batches(self)
     }
 
     fn strain_energy(&self, element: usize, q: &[f64]) -> StrainEnergy {

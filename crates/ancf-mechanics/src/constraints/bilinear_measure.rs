@@ -1,6 +1,7 @@
 use ancf_solver::equations::{LOCAL, LocalMatrix, State};
 use nalgebra::Vector3;
 
+use super::bilinear_row::BilinearRow;
 use super::coincidence::Wrench;
 use crate::kinematics::BodyVector;
 
@@ -107,6 +108,16 @@ impl BilinearMeasure {
     /// Returns true if the measure is at most quadratic in the coordinates.
     pub(crate) fn is_quadratic(&self) -> bool {
         self.products.iter().all(Product::is_quadratic)
+    }
+
+    /// Returns the equation g(q) − g₀ = 0 as a row, if the measure is at most quadratic.
+    pub(super) fn row(&self) -> Option<BilinearRow> {
+        let product = |p: &Product| {
+            let [a, b] = p.vectors.each_ref().map(BodyVector::marker);
+            Some((p.factor, [a?.clone(), b?.clone()]))
+        };
+        let products = self.products.iter().map(product).collect::<Option<_>>()?;
+        Some(BilinearRow { products, linear: self.coordinates.clone(), offset: [0.0; 2] })
     }
 
     /// Returns the reference value g₀.

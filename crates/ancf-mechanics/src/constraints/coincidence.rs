@@ -6,6 +6,8 @@ use ancf_solver::equations::{
 };
 use nalgebra::{Matrix3, Vector3};
 
+use super::bilinear_row::{BilinearRow, QuadraticConstraint};
+use super::constraint_group::GroupedConstraint;
 use crate::kinematics::{BodyVector, Marker};
 
 /// Force and moment.
@@ -110,6 +112,11 @@ impl CoincidenceConstraint {
         Self { global: a, a: local_a, b: local_b, coordinates, first, direction, gap, by_load }
     }
 
+    /// Copies the constraint as a part of a group, if both vectors are linear in the coordinates.
+    pub fn grouped(&self) -> Option<GroupedConstraint> {
+        GroupedConstraint::new(self)
+    }
+
     /// Returns the removed part of the gap at a load factor.
     fn removed_gap(&self, load: f64) -> Vector3<f64> {
         if self.by_load { self.gap * load } else { self.gap }
@@ -125,6 +132,29 @@ impl CoincidenceConstraint {
         } else {
             Wrench { force, ..Wrench::default() }
         }
+    }
+}
+
+impl QuadraticConstraint for CoincidenceConstraint {
+    fn rows(&self) -> Option<Vec<BilinearRow>> {
+        let signed = |vector: &BodyVector, sign: f64| {
+            let parts = vector.marker()?.parts().iter();
+            Some(parts.map(|&(first, w)| (first, sign * w)).collect::<Vec<_>>())
+        };
+        let mut parts = signed(&self.a, 1.0)?;
+        for (first, w) in signed(&self.b, -1.0)? {
+            // Points of one body share vectors.
+            match parts.iter_mut().find(|(known, _)| *known == first) {
+                Some((_, sum)) => *sum += w,
+                None => parts.push((first, w)),
+            }
+        }
+        let row = |k: usize| BilinearRow {
+            linear: parts.iter().map(|(first, w)| (first + k, *w)).collect(),
+            offset: if self.by_load { [0.0, self.gap[k]] } else { [self.gap[k], 0.0] },
+            ..BilinearRow::default()
+        };
+        Some((0..3).map(row).collect())
     }
 }
 
@@ -253,8 +283,20 @@ impl ConstantAngle {
         Wrench { moment: a.cross(&(b * -s.lambda[self.multiplier])), ..Wrench::default() }
     }
 
+    /// Copies the constraint as a part of a group.
+    pub fn grouped(&self) -> Option<GroupedConstraint> {
+        GroupedConstraint::new(self)
+    }
+
     fn values(&self, q: &[f64]) -> [Vector3<f64>; 2] {
         [self.a.reference() + self.a.sum(q), self.b.reference() + self.b.sum(q)]
+    }
+}
+
+impl QuadraticConstraint for ConstantAngle {
+    fn rows(&self) -> Option<Vec<BilinearRow>> {
+        let product = (1.0, [self.a.clone(), self.b.clone()]);
+        Some(vec![BilinearRow { products: vec![product], ..BilinearRow::default() }])
     }
 }
 

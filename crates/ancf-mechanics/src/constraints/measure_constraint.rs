@@ -6,7 +6,9 @@ use ancf_solver::equations::{
 };
 
 use super::bilinear_measure::BilinearMeasure;
+use super::bilinear_row::{BilinearRow, QuadraticConstraint};
 use super::coincidence::Wrench;
+use super::constraint_group::GroupedConstraint;
 use super::measure_target::MeasureTarget;
 
 /// Equation that prescribes the value of a measure. Joints, drives and couplings consist of such equations.
@@ -63,9 +65,21 @@ impl MeasureConstraint {
         Self { massless: vec![coordinate], ..Self::new(measure.plus(coordinate, -1.0), multiplier) }
     }
 
+    /// Copies the constraint as a part of a group, if it keeps a quadratic measure at its reference value in all states.
+    pub fn grouped(&self) -> Option<GroupedConstraint> {
+        GroupedConstraint::new(self)
+    }
+
     /// Returns the contribution to the joint reaction on the first body.
     pub fn reaction(&self, s: &State) -> Wrench {
         self.global.wrench(s, -s.lambda[self.multiplier])
+    }
+}
+
+impl QuadraticConstraint for MeasureConstraint {
+    fn rows(&self) -> Option<Vec<BilinearRow>> {
+        let is_plain = self.positive.is_none() && self.massless.is_empty() && self.target.is_none();
+        self.measure.row().filter(|_| is_plain).map(|row| vec![row])
     }
 }
 

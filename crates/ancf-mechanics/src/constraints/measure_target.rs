@@ -28,6 +28,11 @@ impl MeasureTarget {
         Self { amount, function, quadratic: 0.5 / length }
     }
 
+    /// Returns true if the target is the reference value in all states.
+    pub(crate) fn is_none(&self) -> bool {
+        self.amount == 0.0
+    }
+
     fn scaled_amount(&self, at: &Local<'_>) -> f64 {
         at.load * self.amount * self.function.value(at.t)
     }

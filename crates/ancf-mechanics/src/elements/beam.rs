@@ -2,11 +2,12 @@ use std::marker::PhantomData;
 use std::sync::Arc;
 
 use ancf_solver::equations::{
-    Energy, Inadmissibility, Local, LocalMatrix, LocalStep, Term, Weights, velocity_forces,
+    Energy, Inadmissibility, Local, LocalMatrix, LocalStep, ProductColumn, Term, Weights, velocity_forces,
 };
 use nalgebra::{Matrix3, Vector3};
 
 use super::station::{BeamStation, RelativeVectors, StrainEnergy};
+use super::station_products::StationBlocks;
 use crate::kinematics::{BeamShape, Interpolation, QuadraticShape, relative_rotation};
 use crate::sections::NO_STIFFNESS;
 
@@ -124,7 +125,7 @@ impl<const N: usize, S: Interpolation<N>> BeamElement<N, S> {
     }
 
     /// Returns the velocities of the vectors if the element has viscosity.
-    fn moving(&self, at: &Local<'_>) -> Option<RelativeVectors<N>> {
+    pub(super) fn moving(&self, at: &Local<'_>) -> Option<RelativeVectors<N>> {
         let viscous = self.profile.stations.iter().any(|station| station.viscosity.is_some());
         viscous.then(|| RelativeVectors::new::<S>(&vectors(at.v)))
     }
@@ -140,8 +141,25 @@ impl<const N: usize, S: Interpolation<N> + Send + Sync> Term for BeamElement<N, 
         &self.coordinates
     }
 
-    fn positions(&self) -> &[usize] {
-        S::POSITIONS
+    /// Adds the stiffness of each station times the directors of the columns, without the large stiffness of the vectors.
+    fn stiffness_products(&self, at: &Local<'_>, columns: &mut [ProductColumn]) {
+        let (q, v) = (RelativeVectors::new::<S>(&vectors(at.q)), self.moving(at));
+        let relative: Vec<_> = columns.iter().map(|column| vectors::<N>(&column.x)).collect();
+        let mut h = NO_STIFFNESS;
+        for station in &self.profile.stations {
+            let g0 = station.reference(&self.frame);
+            let u = station.directors::<S>(&q);
+            station.stiffness::<S>(&g0, &u, v.as_ref(), [1.0, 0.0], &mut h);
+            let blocks = StationBlocks::new(station, &h);
+            for (column, x) in columns.iter_mut().zip(&relative) {
+                let d = station.directors::<S>(&RelativeVectors::new::<S>(x));
+                let mut force = [Vector3::zeros(); N];
+                station.distribute(&blocks.times(&d), &mut force);
+                column.product.iter_mut().zip(force.iter().flatten()).for_each(|(product, f)| *product += f);
+                let errors = station.director_rounding(&x.map(|x| x.norm()));
+                column.rounding += station.weight * blocks.rounding(&d, &errors);
+            }
+        }
     }
 
     fn residual(&self, at: &Local<'_>, r: &mut [f64]) {

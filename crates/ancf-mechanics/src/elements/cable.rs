@@ -1,11 +1,12 @@
 use std::sync::Arc;
 
 use ancf_solver::equations::{
-    Energy, Inadmissibility, Local, LocalMatrix, LocalStep, Term, Weights, velocity_forces,
+    Energy, Inadmissibility, Local, LocalMatrix, LocalStep, ProductColumn, Term, Weights, velocity_forces,
 };
 use nalgebra::{Matrix3, Vector3};
 
 use super::beam::add_blocks;
+use super::cable_products::CableColumn;
 use super::cable_profile::{CableDamping, CableProfile, CableStation};
 use super::cable_step::{CableStep, vectors};
 use crate::kinematics::{AxialStretch, Bend, BendBlocks, relative_rotation};
@@ -134,8 +135,19 @@ impl Term for Cable12 {
         &self.coordinates
     }
 
-    fn positions(&self) -> &[usize] {
-        &[0, 6]
+    /// Adds the stiffness of each station times r′ and r″ of the columns, without the large stiffness of the vectors.
+    fn stiffness_products(&self, at: &Local<'_>, columns: &mut [ProductColumn]) {
+        let (q, v) = (vectors(at.q), vectors(at.v));
+        let mut columns: Vec<_> = columns.iter_mut().map(CableColumn::new).collect();
+        for station in self.profile.axial() {
+            let h = self.axial_stiffness(station, &q, &v, Weights::STIFFNESS) * station.weight;
+            columns.iter_mut().for_each(|column| column.add_axial(station, &h));
+        }
+        for station in self.profile.bending() {
+            let h = self.bending_stiffness(station, &q, &v, Weights::STIFFNESS).scaled(station.weight);
+            columns.iter_mut().for_each(|column| column.add_bending(station, &h));
+        }
+        columns.into_iter().for_each(CableColumn::finish);
     }
 
     fn residual(&self, at: &Local<'_>, r: &mut [f64]) {
@@ -312,7 +324,7 @@ fn add_bending(station: &CableStation, h: &BendBlocks, blocks: &mut [[Matrix3<f6
 impl Cable12 {
     /// Computes the tangent of N t with respect to a: w_q (EA t tᵀ + N ∂²ε/∂a²) + w_v EA τ t tᵀ, without w_q EA τ t ȧᵀ
     /// ∂t/∂a.
-    fn axial_stiffness(
+    pub(super) fn axial_stiffness(
         &self,
         station: &CableStation,
         q: &[Vector3<f64>; 4],
@@ -326,7 +338,7 @@ impl Cable12 {
     }
 
     /// Computes the tangent of EI Lᵀ(β + τβ°) with respect to (a, b), without w_q EI τ Lᵀ ∂β°/∂(a, b).
-    fn bending_stiffness(
+    pub(super) fn bending_stiffness(
         &self,
         station: &CableStation,
         q: &[Vector3<f64>; 4],

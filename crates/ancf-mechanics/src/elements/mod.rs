@@ -2,11 +2,14 @@
 
 mod beam;
 mod cable;
+mod cable_products;
 mod cable_profile;
 mod cable_step;
 mod profile;
 mod rigid;
+mod rigid_term;
 mod station;
+mod station_products;
 mod station_step;
 
 pub use beam::{Beam24, Beam27, BeamElement, Profile};
@@ -16,4 +19,5 @@ pub(crate) use cable_profile::CableStation;
 pub use cable_profile::{CableDamping, CableProfile, CableRule, CableSection};
 pub use profile::{BeamMaterial, TwoNodeLaw};
 pub use rigid::{RigidBody, is_physical_inertia};
+pub(crate) use rigid_term::RigidTerm;
 pub use station::{BeamStation, StationLaw, StrainEnergy};

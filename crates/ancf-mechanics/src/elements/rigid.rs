@@ -1,10 +1,9 @@
-use ancf_solver::equations::{Energy, Inadmissibility, Local, LocalMatrix, State, Term, Weights};
-use nalgebra::{Matrix3, Matrix4, SymmetricEigen, Vector3};
+use ancf_solver::equations::{State, Term};
+use nalgebra::{Matrix3, SymmetricEigen, Vector3};
 
+use super::rigid_term::RigidTerm;
 use crate::constraints::ConstantAngle;
-use crate::kinematics::{
-    Attachment, BodyVector, Directions, Marker, NodalVector, VectorKind, relative_rotation,
-};
+use crate::kinematics::{Attachment, BodyVector, Directions, Marker, NodalVector, VectorKind};
 
 /// Rigid body in natural coordinates: centre of mass r and three directors d₁, d₂, d₃, initially the global axes.
 ///
@@ -105,18 +104,15 @@ impl RigidBody {
         std::array::from_fn(|i| Marker::new([(self.first + 3 * (i + 1), 1.0)], axes[i]))
     }
 
-    /// Returns inertia, weight and rigidity constraints as terms.
-    pub fn terms(&self) -> Vec<Box<dyn Term>> {
-        let mut terms: Vec<Box<dyn Term>> = vec![Box::new(InertiaTerm::new(self))];
-        if self.has_directors() {
-            let d = self.directors();
-            let pairs = [(0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (2, 0)];
-            let rows = pairs.iter().enumerate();
-            terms.extend(rows.map(|(k, &(i, j))| {
-                Box::new(ConstantAngle::new(&d[i], &d[j], self.multiplier + k)) as Box<dyn Term>
-            }));
-        }
-        terms
+    /// Returns inertia, weight and rigidity constraints as a term.
+    pub fn term(&self) -> Box<dyn Term> {
+        let (first, mass, weight) = (self.first, self.mass, self.gravity * self.mass);
+        let Some(euler) = &self.euler else { return Box::new(RigidTerm::point(first, mass, weight)) };
+        let d = self.directors();
+        let pairs = [(0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (2, 0)].into_iter().zip(self.multiplier..);
+        let rows =
+            pairs.filter_map(|((i, j), multiplier)| ConstantAngle::new(&d[i], &d[j], multiplier).grouped());
+        Box::new(RigidTerm::new(first, (mass, euler), weight, rows.collect()))
     }
 
     /// Returns all nodal vectors of the body in a state.
@@ -147,85 +143,4 @@ fn euler_tensor(inertia: &Matrix3<f64>) -> Matrix3<f64> {
 pub fn is_physical_inertia(inertia: &Matrix3<f64>) -> bool {
     let values = SymmetricEigen::new(euler_tensor(inertia)).eigenvalues;
     values.max() > 0.0 && values.min() >= -MIN_INERTIA_RATIO * values.max()
-}
-
-/// Inertia and weight of a rigid body or a point mass: M a − m g with constant M.
-#[derive(Clone, Debug)]
-struct InertiaTerm {
-    coordinates: Vec<usize>,
-    /// Mass matrix over the vectors r, d₁, d₂, d₃, each times I₃.
-    mass: Matrix4<f64>,
-    weight: Vector3<f64>,
-}
-
-impl InertiaTerm {
-    fn new(body: &RigidBody) -> Self {
-        let mass = Matrix4::from_fn(|a, b| body.mass_entry(a, b));
-        let coordinates = (body.first..body.first + body.coordinates()).collect();
-        Self { coordinates, mass, weight: body.gravity * body.mass }
-    }
-
-    /// Calls `visit` with (i, j, M_ij) over the coordinates.
-    fn visit(&self, mut visit: impl FnMut(usize, usize, f64)) {
-        let vectors = self.coordinates.len() / 3;
-        for a in 0..vectors {
-            for b in (0..vectors).filter(|&b| self.mass[(a, b)] != 0.0) {
-                (0..3).for_each(|k| visit(3 * a + k, 3 * b + k, self.mass[(a, b)]));
-            }
-        }
-    }
-}
-
-/// Returns the director i = 1, 2, 3 for the coordinates of a body.
-fn director(q: &[f64], i: usize) -> Vector3<f64> {
-    Vector3::ith(i - 1, 1.0) + Vector3::from_column_slice(&q[3 * i..3 * i + 3])
-}
-
-impl Term for InertiaTerm {
-    fn coordinates(&self) -> &[usize] {
-        &self.coordinates
-    }
-
-    fn residual(&self, at: &Local<'_>, r: &mut [f64]) {
-        self.visit(|i, j, mass| r[i] += mass * at.a[j]);
-        (0..3).for_each(|k| r[k] -= at.load * self.weight[k]);
-    }
-
-    fn rounding(&self, at: &Local<'_>, floor: &mut [f64]) {
-        self.visit(|i, j, mass| floor[i] += f64::EPSILON * (mass * at.a[j]).abs());
-        (0..3).for_each(|k| floor[k] += f64::EPSILON * (at.load * self.weight[k]).abs());
-    }
-
-    fn tangent(&self, _: &Local<'_>, w: Weights, k: &mut LocalMatrix<'_>) {
-        self.visit(|i, j, mass| {
-            if i >= j {
-                k.add(i, j, w.a * mass);
-            }
-        });
-    }
-
-    /// The rigidity constraints also hold for the mirror image of the body, to which the iteration of a large step may converge.
-    fn inadmissibility(&self, at: &Local<'_>) -> Option<Inadmissibility> {
-        let vectors = self.coordinates.len() / 3;
-        let is_admissible =
-            vectors < 4 || director(at.q, 1).dot(&director(at.q, 2).cross(&director(at.q, 3))) > 0.0;
-        (!is_admissible).then_some(Inadmissibility::InvertedBody)
-    }
-
-    fn rotation(&self, from: &Local<'_>, to: &Local<'_>) -> f64 {
-        let vectors = self.coordinates.len() / 3;
-        relative_rotation((1..vectors).map(|i| [from, to].map(|at| director(at.q, i))))
-    }
-
-    fn energy(&self, at: &Local<'_>) -> Energy {
-        let mut kinetic = 0.0;
-        self.visit(|i, j, mass| kinetic += 0.5 * at.v[i] * mass * at.v[j]);
-        let moved = Vector3::new(at.q[0], at.q[1], at.q[2]);
-        Energy { kinetic, strain: 0.0, potential: -at.load * self.weight.dot(&moved) }
-    }
-
-    // The only velocity-dependent forces are those of inertia.
-    fn is_damped(&self) -> bool {
-        false
-    }
 }

@@ -209,7 +209,7 @@ impl<const N: usize> BeamStation<N> {
     }
 
     /// Bounds the rounding errors of [`directors`](Self::directors), given the norms of the vectors.
-    fn director_rounding(&self, sizes: &[f64; N]) -> [f64; DIRECTORS] {
+    pub(super) fn director_rounding(&self, sizes: &[f64; N]) -> [f64; DIRECTORS] {
         let mut du = [0.0; DIRECTORS];
         for (i, size) in sizes.iter().enumerate() {
             for &(director, weight) in self.parts[i].as_slice() {
@@ -217,6 +217,11 @@ impl<const N: usize> BeamStation<N> {
             }
         }
         du
+    }
+
+    /// Returns the number of directors that the law depends on.
+    pub(super) fn reach(&self) -> usize {
+        self.law.reach()
     }
 
     /// Returns the reference directors in the global frame.

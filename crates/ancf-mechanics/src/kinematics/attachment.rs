@@ -16,6 +16,7 @@ pub struct Attachment {
 
 /// Directions of a body at a point.
 #[derive(Clone, Debug)]
+#[expect(clippy::large_enum_variant, reason = "markers are stored in place, and attachments are few")]
 pub enum Directions {
     /// No directions: the body is a point.
     None,

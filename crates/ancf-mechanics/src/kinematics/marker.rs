@@ -1,20 +1,21 @@
 use ancf_solver::equations::State;
 use nalgebra::{Matrix3, Vector3};
+use smallvec::SmallVec;
 
 /// Vector linear in the coordinates: a material point or direction of a body, or a fixed one.
 ///
 /// x = x₀ + Σᵢ wᵢ q[vᵢ..vᵢ+3]. Joints constrain markers, loads act on them, and probes measure them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Marker {
-    /// First coordinate vᵢ and weight wᵢ of each vector.
-    parts: Vec<(usize, f64)>,
+    /// First coordinate vᵢ and weight wᵢ of each vector. A rigid body has four vectors.
+    parts: SmallVec<[(usize, f64); 4]>,
     reference: Vector3<f64>,
 }
 
 impl Marker {
     /// Creates a fixed marker: a point or a direction of the ground.
     pub const fn fixed(reference: Vector3<f64>) -> Self {
-        Self { parts: Vec::new(), reference }
+        Self { parts: SmallVec::new_const(), reference }
     }
 
     /// Creates a marker from first coordinates and weights of vectors, and its reference value.
@@ -63,7 +64,12 @@ impl Marker {
 
     /// Returns Σᵢ wᵢ x[vᵢ..vᵢ+3]: displacement, velocity or acceleration of the marker.
     pub fn sum(&self, x: &[f64]) -> Vector3<f64> {
-        self.parts.iter().map(|&(i, w)| Vector3::new(x[i], x[i + 1], x[i + 2]) * w).sum()
+        let mut sum = Vector3::zeros();
+        for &(i, w) in &self.parts {
+            let x = &x[i..i + 3];
+            sum += Vector3::new(x[0], x[1], x[2]) * w;
+        }
+        sum
     }
 
     /// Returns the value in a state.

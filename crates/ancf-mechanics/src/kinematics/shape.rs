@@ -81,12 +81,9 @@ impl VectorKind {
 }
 
 /// Interpolation of axis and sections from N vectors of an element.
-pub trait Interpolation<const N: usize> {
+pub trait Interpolation<const N: usize>: 'static {
     /// Kind of each vector.
     const KINDS: [VectorKind; N];
-
-    /// First coordinates of the vectors of kind [`VectorKind::Position`].
-    const POSITIONS: &'static [usize];
 
     /// Returns the length of the element.
     fn length(&self) -> f64;
@@ -109,7 +106,6 @@ impl Interpolation<8> for BeamShape {
         VectorKind::Y,
         VectorKind::Z,
     ];
-    const POSITIONS: &'static [usize] = &[0, 12];
 
     fn length(&self) -> f64 {
         self.length
@@ -168,7 +164,6 @@ impl Interpolation<9> for QuadraticShape {
         VectorKind::Y,
         VectorKind::Z,
     ];
-    const POSITIONS: &'static [usize] = &[0, 9, 18];
 
     fn length(&self) -> f64 {
         self.length

@@ -31,9 +31,6 @@ pub struct Shell48 {
     profile: Arc<ShellProfile>,
 }
 
-/// First coordinates of the positions of the four nodes, in local order.
-const POSITIONS: &[usize] = &[0, 12, 24, 36];
-
 /// Returns the nodal vectors of a slice of coordinates.
 fn vectors(x: &[f64]) -> [Vector3<f64>; VECTORS] {
     std::array::from_fn(|i| Vector3::new(x[3 * i], x[3 * i + 1], x[3 * i + 2]))
@@ -184,10 +181,6 @@ fn add_square(square: &Square, k: &mut LocalMatrix<'_>) {
 impl Term for Shell48 {
     fn coordinates(&self) -> &[usize] {
         &self.coordinates
-    }
-
-    fn positions(&self) -> &[usize] {
-        POSITIONS
     }
 
     fn residual(&self, at: &Local<'_>, r: &mut [f64]) {

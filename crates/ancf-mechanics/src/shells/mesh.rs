@@ -62,7 +62,8 @@ impl ShellMesh {
             let own = vectors(element);
             let coordinates = own.iter().flat_map(|v| (0..3).map(move |i| first + 3 * v + i)).collect();
             let corner = reference[own[0]];
-            let of = |a: usize| reference[own[a]] - if a.is_multiple_of(4) { corner } else { Vector3::zeros() };
+            let of =
+                |a: usize| reference[own[a]] - if a.is_multiple_of(4) { corner } else { Vector3::zeros() };
             (coordinates, std::array::from_fn(of))
         });
         let elements = Arc::new(Shell48::all(data, medium));

@@ -1,4 +1,4 @@
-use super::initial_conditions::{Projected, accelerations, project, solve};
+use super::initial_conditions::{Factors, Projected, accelerations, project, solve, solve_again};
 use super::scheme::SchemeCoefficients;
 use crate::equations::{EquationsOfMotion, State, Weights};
 use crate::newton::{Newton, SolveError};
@@ -45,7 +45,7 @@ pub(crate) fn start_values<E: EquationsOfMotion>(
     }
     z.copy_from_slice(r);
     z[..n].fill(0.0);
-    solve(eom, matrix, factor, s, scheme.weights(h), z)?;
+    solve_again(matrix, factor, s, z)?;
     for i in 0..n {
         s.v[i] += scheme.error_constant() * h * h * z[i];
     }
@@ -123,11 +123,20 @@ fn rates<E: EquationsOfMotion>(
         let Newton { tangent, z, r, .. } = &mut *newton;
         let (matrix, factor) = tangent.lend();
         // Beside the constraints, accelerations depend on the form of their equations.
-        let mut projected = ahead.clone();
-        if PROJECTIONS.into_iter().all(|part| project(eom, matrix, factor, &mut projected, part, z).is_ok()) {
+        let (mut projected, mut factors) = (ahead.clone(), Factors::OfOtherState);
+        let mut is_projected = |part| {
+            let done = project(eom, matrix, factor, &mut projected, part, z);
+            done.is_ok_and(|of| {
+                factors = of;
+                true
+            })
+        };
+        if PROJECTIONS.into_iter().all(&mut is_projected) {
             ahead = projected;
+        } else {
+            factors = Factors::OfOtherState;
         }
-        accelerations(eom, matrix, factor, &mut ahead, z)?;
+        accelerations(eom, matrix, factor, &mut ahead, z, factors)?;
         eom.exchange(&ahead, r);
         let add = |rate: &mut [f64], x: &[f64]| {
             rate.iter_mut().zip(x).for_each(|(rate, x)| *rate += weight * x);

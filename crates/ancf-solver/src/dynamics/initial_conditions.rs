@@ -15,7 +15,7 @@ pub fn consistent_accelerations<E: EquationsOfMotion>(
     s: &mut State,
 ) -> Result<(), SolveError> {
     let (mut factor, mut rhs) = storage(matrix)?;
-    accelerations(eom, matrix, &mut factor, s, &mut rhs)
+    accelerations(eom, matrix, &mut factor, s, &mut rhs, Factors::OfOtherState)
 }
 
 /// Projects the velocities onto Φ_q v + Φ_t = 0 in the norm of the kinetic energy.
@@ -30,7 +30,7 @@ pub fn consistent_velocities<E: EquationsOfMotion>(
     s: &mut State,
 ) -> Result<(), SolveError> {
     let (mut factor, mut rhs) = storage(matrix)?;
-    project(eom, matrix, &mut factor, s, Projected::Velocities, &mut rhs)
+    project(eom, matrix, &mut factor, s, Projected::Velocities, &mut rhs).map(|_| ())
 }
 
 /// Largest number of iterations of a projection of positions.
@@ -78,6 +78,7 @@ pub(crate) fn accelerations<E: EquationsOfMotion + ?Sized>(
     factor: &mut Factor,
     s: &mut State,
     rhs: &mut [f64],
+    factors: Factors,
 ) -> Result<(), SolveError> {
     let n = s.q.len();
     s.a.fill(0.0);
@@ -85,10 +86,20 @@ pub(crate) fn accelerations<E: EquationsOfMotion + ?Sized>(
     eom.residual(s, rhs);
     eom.constraints(s, Level::Acceleration, &mut rhs[n..]);
     rhs.iter_mut().for_each(|x| *x = -*x);
-    solve(eom, matrix, factor, s, Weights::MASS, rhs)?;
+    match factors {
+        Factors::OfState => solve_again(matrix, factor, s, rhs)?,
+        Factors::OfOtherState => solve(eom, matrix, factor, s, Weights::MASS, rhs)?,
+    }
     s.a.copy_from_slice(&rhs[..n]);
     s.lambda.copy_from_slice(&rhs[n..]);
     Ok(())
+}
+
+/// State of the factorised mass matrix with its constraints, which depends on the coordinates only.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Factors {
+    OfState,
+    OfOtherState,
 }
 
 /// Part of a state that is projected onto its constraints.
@@ -103,6 +114,8 @@ pub(crate) enum Projected {
 /// Projects a part of a state in the norm of the kinetic energy and in given working storage:
 ///
 /// [M, Φ_qᵀ; Φ_q, 0] (Δ, ·) = −(0, Φ).
+///
+/// States if the factors are those of the projected state.
 pub(crate) fn project<E: EquationsOfMotion + ?Sized>(
     eom: &E,
     matrix: &mut SparseMatrix,
@@ -110,7 +123,7 @@ pub(crate) fn project<E: EquationsOfMotion + ?Sized>(
     s: &mut State,
     part: Projected,
     rhs: &mut [f64],
-) -> Result<(), SolveError> {
+) -> Result<Factors, SolveError> {
     let n = s.q.len();
     let level = match part {
         Projected::Positions => Level::Position,
@@ -119,16 +132,16 @@ pub(crate) fn project<E: EquationsOfMotion + ?Sized>(
     rhs[..n].fill(0.0);
     eom.constraints(s, level, &mut rhs[n..]);
     if rhs.iter().all(|x| *x == 0.0) {
-        return Ok(());
+        return Ok(Factors::OfOtherState);
     }
     rhs.iter_mut().for_each(|x| *x = -*x);
     solve(eom, matrix, factor, s, Weights::MASS, rhs)?;
-    let projected = match part {
-        Projected::Positions => &mut s.q,
-        Projected::Velocities => &mut s.v,
+    let (projected, factors) = match part {
+        Projected::Positions => (&mut s.q, Factors::OfOtherState),
+        Projected::Velocities => (&mut s.v, Factors::OfState),
     };
     projected.iter_mut().zip(&*rhs).for_each(|(x, change)| *x += change);
-    Ok(())
+    Ok(factors)
 }
 
 /// Assembles and factorises the tangent of a state and solves with it.
@@ -141,6 +154,16 @@ pub(crate) fn solve<E: EquationsOfMotion + ?Sized>(
     rhs: &mut [f64],
 ) -> Result<(), SolveError> {
     eom.tangent(s, w, matrix);
-    let solved = factor.factorise(matrix).and_then(|()| factor.solve(matrix, rhs));
-    solved.map_err(|_| SolveError::at(s.t, SolveFailure::Singular))
+    factor.factorise(matrix).map_err(|_| SolveError::at(s.t, SolveFailure::Singular))?;
+    solve_again(matrix, factor, s, rhs)
+}
+
+/// Solves with the matrix and the factors of the last [`solve`].
+pub(crate) fn solve_again(
+    matrix: &SparseMatrix,
+    factor: &mut Factor,
+    s: &State,
+    rhs: &mut [f64],
+) -> Result<(), SolveError> {
+    factor.solve(matrix, rhs).map_err(|_| SolveError::at(s.t, SolveFailure::Singular))
 }

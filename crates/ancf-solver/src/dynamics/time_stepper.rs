@@ -123,13 +123,14 @@ impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
         let Newton { tangent, z, .. } = &mut self.newton;
         let (matrix, factor) = tangent.lend();
         let before = self.motion.energy.kinetic;
-        project(&*self.eom, matrix, factor, &mut self.motion.state, Projected::Velocities, z)?;
+        let state = &mut self.motion.state;
+        let factors = project(&*self.eom, matrix, factor, state, Projected::Velocities, z)?;
         self.motion.energy = self.eom.energy(&self.motion.state);
         if self.motion.h > 0.0 {
             // Velocity jump: adds the impulsive work, computed with the mean velocity.
             self.motion.exchanged.work += self.motion.energy.kinetic - before;
         }
-        accelerations(&*self.eom, matrix, factor, &mut self.motion.state, z)?;
+        accelerations(&*self.eom, matrix, factor, &mut self.motion.state, z, factors)?;
         self.motion.auxiliary.copy_from_slice(&self.motion.state.a);
         self.set_exchange();
         self.motion.h = 0.0;

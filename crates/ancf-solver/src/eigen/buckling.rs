@@ -1,7 +1,10 @@
 use nalgebra::{DMatrix, DVector};
 
-use super::krylov::{EigenError, EigenSearch, EigenSearchResult, Operator, krylov};
+use super::columns::Columns;
+use super::full_rows::FullRows;
+use super::krylov::{EigenSearch, KrylovSpace};
 use super::modes::{SturmCount, modes};
+use super::operator::{EigenError, Operator};
 use super::refinement::{ACCURATE, CORRECTIONS, PROGRESS, combined, independent, projected};
 use super::softening::softening;
 use crate::equations::{EquationsOfMotion, State, Weights};
@@ -90,8 +93,8 @@ const EQUAL: f64 = 1e-8;
 /// K₀ + s K_g.
 ///
 /// Source: Bathe (2014), section 6.8.2, with stresses of first order only; Timoshenko & Gere (1961), chapters 2, 6;
-/// Trahair & Woolcock (1973). The largest 1/s of −K₀⁻¹ K_g, self-adjoint in the inner product of K₀, are found by block
-/// Krylov spaces.
+/// Trahair & Woolcock (1973). The largest 1/s of −K₀⁻¹ K_g, self-adjoint in the inner product of K₀, are found by the
+/// block Lanczos method.
 ///
 /// # Errors
 /// If K₀ is singular or not positive definite, the loads have no potential, the iteration does not converge, or it is
@@ -124,22 +127,25 @@ pub fn buckling(
     }
     let mut mass = matrix;
     eom.tangent(s, Weights::MASS, &mut mass);
-    let mut pencil = BucklingPencil { eom, s, stiffness, softening, mass, factor, interrupt };
+    let (rows, scales) = ([&softening, &stiffness].map(FullRows::new), vec![1.0; mass.pattern().size()]);
+    let mut pencil = BucklingPencil { eom, s, stiffness, softening, rows, scales, mass, factor, interrupt };
     // The last factor may have a neighbour of the same magnitude and the other sign.
     let requested = count + usize::from(sense == LoadDirection::Either);
     let mut start = pencil.operator().start(requested + GUARD, 0)?;
     let (degrees, mut failure) = (eom.degrees_of_freedom(s), EigenError::NotConverged);
     for pass in 0..PASSES {
-        let found = krylov(&mut pencil.operator(), start, &sense.search(requested))?;
-        if found.largest <= MIN_SOFTENING || !pencil.is_determined(&found)? {
+        let (op, size) = (&mut pencil.operator(), start.count());
+        let mut space = KrylovSpace::new(op, start, degrees)?;
+        let found = space.extend(op, &sense.search(requested), [0, DEPTH])?;
+        let vectors = space.vectors(&found, size);
+        if found.largest <= MIN_SOFTENING || !pencil.is_determined(&vectors[..found.requested])? {
             return Ok(CriticalLoads { response, ..CriticalLoads::default() });
         }
-        start = found.pairs.iter().map(|pair| pair.vector.clone()).collect();
+        start = Columns::of(pencil.stiffness.pattern().size(), &vectors);
         if found.converged {
             // A final application of T makes x satisfy the constraints to the accuracy of the linear solver.
-            // Vectors beyond the number of degrees of freedom are rounding errors.
             let shapes: Result<Vec<_>, _> =
-                start.iter().take(degrees).map(|x| pencil.operator().apply(x)).collect();
+                vectors.iter().map(|x| pencil.operator().apply(x.as_slice())).collect();
             let mut loads = pencil.refined(shapes?, found.requested, sense)?;
             loads.retain(|load| {
                 load.residual <= ROUGH || found.largest.min(load.factor.recip().abs()) > MIN_CERTAIN_SOFTENING
@@ -150,7 +156,8 @@ pub fn buckling(
                 return Ok(found);
             }
             failure = EigenError::Missed;
-            start.extend(pencil.restored()?.start(GUARD, 1 + pass as u64)?);
+            let further = pencil.restored()?.start(GUARD, 1 + pass as u64)?;
+            further.vectors().iter().for_each(|x| start.push(x.as_slice()));
         }
     }
     Err(failure)
@@ -164,7 +171,7 @@ impl LoadDirection {
             Self::Reversed => |theta| -theta,
             Self::Either => f64::abs,
         };
-        EigenSearch { count, key, least: MIN_EIGENVALUE, tolerance: TOLERANCE, depth: DEPTH }
+        EigenSearch { count, key, least: MIN_EIGENVALUE, tolerance: TOLERANCE, capacity: usize::MAX }
     }
 }
 
@@ -177,6 +184,9 @@ struct BucklingPencil<'a> {
     s: &'a State,
     stiffness: SparseMatrix,
     softening: SparseMatrix,
+    /// −K_g and K₀ by rows.
+    rows: [FullRows; 2],
+    scales: Vec<f64>,
     mass: SparseMatrix,
     factor: Factor,
     interrupt: &'a Interrupt,
@@ -185,9 +195,9 @@ struct BucklingPencil<'a> {
 impl BucklingPencil<'_> {
     /// Operator T = −K₀⁻¹ K_g.
     fn operator(&mut self) -> Operator<'_> {
-        let Self { eom, stiffness, softening, factor, interrupt, .. } = self;
+        let Self { eom, stiffness, rows: [softening, inner], scales, factor, interrupt, .. } = self;
         let coordinates = eom.coordinates();
-        Operator { factor, left: stiffness, right: softening, inner: stiffness, coordinates, interrupt }
+        Operator { factor, left: stiffness, scales, right: softening, inner, coordinates, interrupt }
     }
 
     /// Factorises K₀ again.
@@ -262,10 +272,10 @@ impl BucklingPencil<'_> {
 
     /// Returns true if −K₀⁻¹ K_g x is more than a rounding error for one of the requested shapes x. Where joints carry the loads, K_g x
     /// consists of reactions, and the solution of their rounding errors.
-    fn is_determined(&mut self, found: &EigenSearchResult) -> Result<bool, EigenError> {
+    fn is_determined(&mut self, shapes: &[DVector<f64>]) -> Result<bool, EigenError> {
         let n = self.eom.coordinates();
-        for pair in found.pairs.iter().take(found.requested) {
-            let mut force = self.softening.times(pair.vector.as_slice());
+        for x in shapes {
+            let mut force = self.softening.times(x.as_slice());
             force[n..].fill(0.0);
             let mut image = force.clone();
             if force.iter().all(|x| *x == 0.0) {
@@ -321,13 +331,15 @@ impl BucklingPencil<'_> {
         let mut loads = Vec::new();
         for (k, (x, product)) in shapes.iter().zip(&of_terms.products).enumerate() {
             let softened = DVector::from(self.softening.times(x.as_slice()));
-            let factor = of_terms.forms[(k, k)] / x.dot(&softened);
+            let factor = of_terms.squares[k] / x.dot(&softened);
             let correction = self.operator().solve(product - softened * factor)?;
-            let residual = size(&self.stiffness, &correction) / of_terms.forms[(k, k)].sqrt();
+            let residual = size(&self.stiffness, &correction) / of_terms.squares[k].sqrt();
             let shape = x.as_slice()[..self.eom.coordinates()].to_vec();
             loads.push(CriticalLoad { factor, shape, residual });
         }
-        Ok((loads, of_terms.forms))
+        let rows = self.stiffness.pattern().size();
+        let [shapes, products] = [shapes, of_terms.products].map(|x| Columns::of(rows, &x));
+        Ok((loads, shapes.products(&products)))
     }
 
     /// Returns the Ritz vectors of the span of the shapes, by descending keys of 1/s.

@@ -1,165 +1,51 @@
+use std::ops::Range;
+
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
-use thiserror::Error;
 
-use crate::factor::{Factor, SingularMatrix};
-use crate::newton::Interrupt;
-use crate::sparse::SparseMatrix;
-
-/// Cause of failure of an eigenvalue analysis.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
-pub enum EigenError {
-    /// The matrix to be inverted has no usable factorisation.
-    #[error("the matrix is singular: a joint is redundant, or a motion is unconstrained")]
-    Singular,
-    /// The inner product is not positive definite: missing stiffness or negative mass.
-    #[error("the matrix of the inner product is not positive definite: the state is unstable")]
-    Indefinite,
-    /// The loads have no potential, so critical loads of equilibria do not determine stability.
-    #[error("the loads have no potential: their stiffness is not symmetric, and the structure may flutter")]
-    Nonconservative,
-    /// The limit of restarts was reached.
-    #[error("the eigenvalues did not converge")]
-    NotConverged,
-    /// The inertia of the shifted matrix contradicts the computed eigenvalues.
-    #[error(
-        "the number of computed eigenvalues differs from their number by the inertia of the shifted matrix"
-    )]
-    Missed,
-    /// The interrupt flag was set.
-    #[error("the eigenvalue search was interrupted")]
-    Interrupted,
-}
-
-impl From<SingularMatrix> for EigenError {
-    fn from(_: SingularMatrix) -> Self {
-        Self::Singular
-    }
-}
-
-/// Operator T = S⁻¹ A on the x with Φ_q x = 0, self-adjoint in the inner product xᵀ B y.
-///
-/// S is bordered, [S, Φ_qᵀ; Φ_q, 0], and all vectors have zeros instead of multipliers. The borders of A and B
-/// therefore have no effect.
-#[derive(Debug)]
-pub(crate) struct Operator<'a> {
-    /// Factors of S.
-    pub(crate) factor: &'a mut Factor,
-    /// Matrix S.
-    pub(crate) left: &'a SparseMatrix,
-    /// Matrix A.
-    pub(crate) right: &'a SparseMatrix,
-    /// Matrix B of the inner product.
-    pub(crate) inner: &'a SparseMatrix,
-    /// Number of coordinates.
-    pub(crate) coordinates: usize,
-    /// Interrupt flag that stops the search.
-    pub(crate) interrupt: &'a Interrupt,
-}
-
-impl Operator<'_> {
-    /// Computes T x.
-    pub(crate) fn apply(&mut self, x: &DVector<f64>) -> Result<DVector<f64>, EigenError> {
-        self.solve(self.right.times(x.as_slice()).into())
-    }
-
-    /// Computes S⁻¹ f.
-    pub(crate) fn solve(&mut self, mut f: DVector<f64>) -> Result<DVector<f64>, EigenError> {
-        let n = self.coordinates;
-        f.as_mut_slice()[n..].fill(0.0);
-        self.solve_whole(&mut f)?;
-        f.as_mut_slice()[n..].fill(0.0);
-        Ok(f)
-    }
-
-    /// Computes the z with Φ_q z = Φ_q x and S z = r up to reactions. The vector x − z satisfies the constraints.
-    ///
-    /// The second solution has the force r less the reactions, whose rounding error may exceed z.
-    pub(crate) fn correction(
-        &mut self,
-        x: &DVector<f64>,
-        mut r: DVector<f64>,
-    ) -> Result<DVector<f64>, EigenError> {
-        let (n, size) = (self.coordinates, r.len());
-        if n == size {
-            return self.solve(r);
-        }
-        r.rows_mut(n, size - n).copy_from_slice(&self.left.times(x.as_slice())[n..]);
-        let mut reaction = r.clone();
-        self.solve_whole(&mut reaction)?;
-        reaction.rows_mut(0, n).fill(0.0);
-        r -= DVector::from(self.left.times(reaction.as_slice()));
-        self.solve_whole(&mut r)?;
-        r.rows_mut(n, size - n).fill(0.0);
-        Ok(r)
-    }
-
-    /// Solves with all equations. The relative error of a solution is undefined for zero.
-    fn solve_whole(&mut self, f: &mut DVector<f64>) -> Result<(), EigenError> {
-        if self.interrupt.is_set() {
-            return Err(EigenError::Interrupted);
-        }
-        if f.iter().any(|&x| x != 0.0) {
-            self.factor.solve(self.left, f.as_mut_slice())?;
-        }
-        Ok(())
-    }
-
-    /// Applies S⁻¹ to `count` pseudo-random forces, the same in every run and different for each `variant`.
-    ///
-    /// The forces are scaled by the root of the diagonal of B, which makes them independent of units.
-    pub(crate) fn start(&mut self, count: usize, variant: u64) -> Result<Vec<DVector<f64>>, EigenError> {
-        let (mut random, n) = (PseudoRandom(24 + variant), self.left.pattern().size());
-        let size: Vec<f64> = (0..n).map(|i| self.inner.diagonal_of(i).abs().sqrt()).collect();
-        (0..count).map(|_| self.solve(DVector::from_fn(n, |i, _| size[i] * random.number()))).collect()
-    }
-}
-
-/// Pseudo-random numbers in [−1, 1), the same in every run (SplitMix64; Steele, Lea & Flood 2014).
-#[derive(Debug)]
-pub(crate) struct PseudoRandom(pub(crate) u64);
-
-impl PseudoRandom {
-    pub(crate) fn number(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mixed = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((mixed ^ (mixed >> 31)) >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
-    }
-}
-
-/// Approximate eigenvector T x = θ x.
-#[derive(Clone, Debug)]
-pub(crate) struct EigenPair {
-    /// Eigenvector x with xᵀ B x = 1.
-    pub(crate) vector: DVector<f64>,
-}
+use super::columns::Columns;
+use super::operator::{EigenError, Operator};
 
 /// Selection of the eigenvalues θ of T, and their accuracy.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct EigenSearch {
+pub(super) struct EigenSearch {
     /// Number of eigenvalues.
-    pub(crate) count: usize,
+    pub(super) count: usize,
     /// Sort key. Eigenvalues with the largest key come first.
-    pub(crate) key: fn(f64) -> f64,
+    pub(super) key: fn(f64) -> f64,
     /// Smallest key, relative to the largest |θ|.
-    pub(crate) least: f64,
+    pub(super) least: f64,
     /// Tolerance: converged when |T x − θ x| ≤ tolerance · |θ|, or at the rounding error of T.
-    pub(crate) tolerance: f64,
-    /// Maximum number of blocks of a space.
-    pub(crate) depth: usize,
+    pub(super) tolerance: f64,
+    /// Number of vectors of a space above which it is restarted. The restart loses unrequested eigenvalues, which delays convergence if
+    /// they are the largest.
+    pub(super) capacity: usize,
 }
 
-/// Best eigenpairs of a space, best first.
+/// Eigenpairs of the projected matrix, best first.
 #[derive(Debug)]
-pub(crate) struct EigenSearchResult {
-    /// Eigenpairs, at most as many as vectors of the starting block, which they may replace.
-    pub(crate) pairs: Vec<EigenPair>,
+pub(super) struct Ritz {
+    values: Vec<f64>,
+    vectors: DMatrix<f64>,
+    order: Vec<usize>,
     /// Largest |θ|.
-    pub(crate) largest: f64,
+    pub(super) largest: f64,
     /// Number of requested pairs.
-    pub(crate) requested: usize,
+    pub(super) requested: usize,
     /// True if the requested pairs have converged.
-    pub(crate) converged: bool,
+    pub(super) converged: bool,
+}
+
+impl Ritz {
+    /// Number of pairs.
+    pub(super) fn count(&self) -> usize {
+        self.order.len()
+    }
+
+    /// Coefficients of pairs, the best of which is the first.
+    fn weights(&self, range: Range<usize>) -> DMatrix<f64> {
+        let first = range.start;
+        DMatrix::from_fn(self.order.len(), range.len(), |i, k| self.vectors[(i, self.order[first + k])])
+    }
 }
 
 /// Size of a remainder, relative to the vector, below which the vector is dependent.
@@ -168,96 +54,143 @@ const DEPENDENT: f64 = 1e-10;
 const INDEFINITE: f64 = 1e-10;
 /// Multiple of the asymmetry of VᵀBTV below which a residual is rounding error.
 const ROUNDING: f64 = 10.0;
+/// Part of a vector that remains without a loss of orthogonality.
+const KEPT: f64 = 0.1;
 
-/// Applies the Rayleigh-Ritz method to the block Krylov space span(X, TX, T²X, ...), enlarged until convergence.
+/// Block Krylov space span(X, TX, T²X, ...) with a basis V that is orthonormal in the inner product, and T V = V H for the columns to
+/// which T was applied.
 ///
-/// A block of p vectors finds eigenvalues of any multiplicity up to p, unlike a single vector. The basis is fully
-/// orthogonalised, twice, vector by vector. Dependent vectors are dropped.
+/// The basis is fully orthogonalised, block by block. A space above its capacity is restarted with its best Ritz vectors, which
+/// retains all Krylov properties (thick restart). Dependent vectors are dropped.
 ///
-/// Source: Ruhe (1979), the band Lanczos method; Parlett (1980), chapter 13.
-pub(crate) fn krylov(
-    op: &mut Operator<'_>,
-    start: Vec<DVector<f64>>,
-    search: &EigenSearch,
-) -> Result<EigenSearchResult, EigenError> {
-    let mut space = KrylovSpace { inner: op.inner, basis: Vec::new(), columns: Vec::new() };
-    let size = start.len();
-    for x in start {
-        space.insert(x)?;
-    }
-    let block = space.basis.len();
-    if block == 0 {
-        return Ok(EigenSearchResult { pairs: Vec::new(), largest: 0.0, requested: 0, converged: true });
-    }
-    let mut depth = 0;
-    loop {
-        depth += 1;
-        for _ in 0..block.min(space.basis.len() - space.columns.len()) {
-            let image = op.apply(&space.basis[space.columns.len()])?;
-            let column = space.insert(image)?;
-            space.columns.push(column);
-        }
-        let ritz = space.ritz(search);
-        if ritz.converged || depth >= search.depth {
-            let pairs = (0..size.min(ritz.order.len())).map(|k| space.pair(&ritz, k)).collect();
-            let Ritz { largest, requested, converged, .. } = ritz;
-            return Ok(EigenSearchResult { pairs, largest, requested, converged });
-        }
-    }
-}
-
-/// Orthonormal basis V and T V = V H, for the columns to which T was applied.
-struct KrylovSpace<'a> {
-    inner: &'a SparseMatrix,
-    basis: Vec<DVector<f64>>,
+/// Source: Grimes, Lewis & Simon (1994), block Lanczos with the spectral transformation; Wu & Simon (2000), thick restart; Giraud,
+/// Langou & Rozložník (2005), two passes of the Gram-Schmidt method.
+#[derive(Debug)]
+pub(super) struct KrylovSpace {
+    basis: Columns,
     columns: Vec<Vec<f64>>,
+    /// Largest dimension.
+    limit: usize,
 }
 
-/// Eigenpairs of the projected matrix, best first.
-struct Ritz {
-    vectors: DMatrix<f64>,
-    order: Vec<usize>,
-    largest: f64,
-    requested: usize,
-    converged: bool,
-}
-
-impl KrylovSpace<'_> {
-    /// Orthogonalises a vector and adds the remainder to the basis. Returns its coefficients.
-    fn insert(&mut self, mut x: DVector<f64>) -> Result<Vec<f64>, EigenError> {
-        let mut coefficients = vec![0.0; self.basis.len()];
-        let (mut image, square) = self.image(&x)?;
-        if square < 0.0 && square < -INDEFINITE * self.inner.magnitude(x.as_slice()) {
-            return Err(EigenError::Indefinite);
-        }
-        let before = square.max(0.0).sqrt();
-        let mut size = before;
-        // Repetition after a loss of digits. The remaining loss is rounding error.
-        for _ in 0..3 {
-            for (sum, v) in coefficients.iter_mut().zip(&self.basis) {
-                let dot = v.dot(&image);
-                x.axpy(-dot, v, 1.0);
-                *sum += dot;
-            }
-            let square;
-            (image, square) = self.image(&x)?;
-            let kept = square.max(0.0).sqrt() / std::mem::replace(&mut size, square.max(0.0).sqrt());
-            if kept > 0.1 || size <= DEPENDENT * before {
-                break;
-            }
-        }
-        if size > DEPENDENT * before {
-            self.basis.push(x / size);
-            coefficients.push(size);
-        }
-        Ok(coefficients)
+impl KrylovSpace {
+    /// Creates the space of starting vectors, with at most `limit` dimensions.
+    pub(super) fn new(op: &Operator<'_>, start: Columns, limit: usize) -> Result<Self, EigenError> {
+        let mut space = Self { basis: Columns::new(op.inner.diagonal().len()), columns: Vec::new(), limit };
+        space.insert(op, start)?;
+        Ok(space)
     }
 
-    /// Computes B x and xᵀ B x.
-    fn image(&self, x: &DVector<f64>) -> Result<(DVector<f64>, f64), EigenError> {
-        let image = DVector::from(self.inner.times(x.as_slice()));
-        let square = x.dot(&image);
-        if square.is_finite() { Ok((image, square)) } else { Err(EigenError::Singular) }
+    /// Enlarges the space by blocks until the pairs converge, but at least and at most by the given numbers of blocks.
+    pub(super) fn extend(
+        &mut self,
+        op: &mut Operator<'_>,
+        search: &EigenSearch,
+        [least, most]: [usize; 2],
+    ) -> Result<Ritz, EigenError> {
+        let mut depth = 0;
+        loop {
+            let first = self.columns.len();
+            let mut images = Columns::new(op.inner.diagonal().len());
+            for k in first..self.basis.count() {
+                images.push(op.apply(self.basis.column(k))?.as_slice());
+            }
+            let columns = self.insert(op, images)?;
+            self.columns.extend(columns);
+            depth += 1;
+            let (ritz, rest) = (self.ritz(search), self.basis.count() - self.columns.len());
+            if rest == 0 || depth >= most || (ritz.converged && depth >= least) {
+                return Ok(ritz);
+            }
+            if self.columns.len() + 2 * rest > search.capacity {
+                let others = self.columns.len().saturating_sub(search.count);
+                self.restart(&ritz, search.count + others / 3);
+            }
+        }
+    }
+
+    /// Computes the best `count` Ritz vectors.
+    pub(super) fn vectors(&self, ritz: &Ritz, count: usize) -> Vec<DVector<f64>> {
+        self.ritz_vectors(ritz, 0..count.min(ritz.count())).vectors()
+    }
+
+    /// Computes Ritz vectors, the best of which is the first.
+    pub(super) fn ritz_vectors(&self, ritz: &Ritz, range: Range<usize>) -> Columns {
+        self.basis.combined(&ritz.weights(range))
+    }
+
+    /// Replaces the vectors to which T was applied by the best Ritz vectors.
+    fn restart(&mut self, ritz: &Ritz, kept: usize) {
+        let (n, kept) = (self.columns.len(), kept.min(ritz.count()));
+        let weights = ritz.weights(0..kept);
+        let mut basis = self.basis.combined(&weights);
+        (n..self.basis.count()).for_each(|k| basis.push(self.basis.column(k)));
+        let column = |k: usize| {
+            let mut column = vec![0.0; kept];
+            column[k] = ritz.values[ritz.order[k]];
+            let rest = |i: usize| (0..n).map(|j| self.entry(i, j) * weights[(j, k)]).sum::<f64>();
+            column.extend((n..self.basis.count()).map(rest));
+            column
+        };
+        self.columns = (0..kept).map(column).collect();
+        self.basis = basis;
+    }
+
+    /// Orthogonalises a block and adds the remainders to the basis. Returns the coefficients of its vectors.
+    pub(super) fn insert(
+        &mut self,
+        op: &Operator<'_>,
+        mut block: Columns,
+    ) -> Result<Vec<Vec<f64>>, EigenError> {
+        let before = (0..block.count()).map(|k| checked_size(op, block.column(k)));
+        let before: Vec<f64> = before.collect::<Result<_, _>>()?;
+        let mut sum = DMatrix::zeros(self.basis.count(), block.count());
+        for _ in 0..2 {
+            let weights = self.basis.products(&images(op, &block));
+            block.add(&self.basis, &weights, -1.0);
+            sum += weights;
+        }
+        let known = self.basis.count();
+        let mut all = Vec::with_capacity(block.count());
+        for (k, before) in before.into_iter().enumerate() {
+            let mut coefficients: Vec<f64> = sum.column(k).iter().copied().collect();
+            let mut x = DVector::from_column_slice(block.column(k));
+            let mut remainder = size(op, x.as_slice());
+            // The vectors before it in the block, and all vectors after a loss of digits. The remaining loss is rounding error.
+            let mut from = known;
+            for _ in 0..3 {
+                if remainder <= DEPENDENT * before || from == self.basis.count() {
+                    break;
+                }
+                self.project(op, &mut x, from, &mut coefficients);
+                let kept = size(op, x.as_slice()) / remainder;
+                remainder *= kept;
+                if kept > KEPT {
+                    break;
+                }
+                from = 0;
+            }
+            if remainder > DEPENDENT * before && self.basis.count() < self.limit {
+                x /= remainder;
+                self.basis.push(x.as_slice());
+                coefficients.resize(self.basis.count() - 1, 0.0);
+                coefficients.push(remainder);
+            }
+            all.push(coefficients);
+        }
+        Ok(all)
+    }
+
+    /// Subtracts the components of the basis vectors beginning with number `from`, and adds them to the coefficients.
+    fn project(&self, op: &Operator<'_>, x: &mut DVector<f64>, from: usize, coefficients: &mut Vec<f64>) {
+        coefficients.resize(self.basis.count(), 0.0);
+        let image = DVector::from(op.inner.times(x.as_slice()));
+        for (k, sum) in coefficients.iter_mut().enumerate().skip(from) {
+            let v = self.basis.column(k);
+            let dot: f64 = v.iter().zip(&image).map(|(v, y)| v * y).sum();
+            x.iter_mut().zip(v).for_each(|(x, v)| *x -= dot * v);
+            *sum += dot;
+        }
     }
 
     /// Returns entry (i, j) of H. It is zero if the basis vector was added after the column.
@@ -267,14 +200,13 @@ impl KrylovSpace<'_> {
 
     /// Computes the eigenpairs of the symmetric part of VᵀBTV. Its skew part is rounding error.
     fn ritz(&self, search: &EigenSearch) -> Ritz {
-        let (n, all) = (self.columns.len(), self.basis.len());
+        let (n, all) = (self.columns.len(), self.basis.count());
         let h = DMatrix::from_fn(n, n, |i, j| 0.5 * (self.entry(i, j) + self.entry(j, i)));
         let skew = |i: usize, j: usize| (self.entry(i, j) - self.entry(j, i)).abs();
         let rounding = (0..n).flat_map(|i| (0..i).map(move |j| skew(i, j))).fold(0.0, f64::max);
-        let eigen = SymmetricEigen::new(h);
-        let (values, vectors) = (eigen.eigenvalues.data.into(), eigen.eigenvectors);
+        let (values, vectors) = eigenpairs(h);
         let mut order: Vec<usize> = (0..n).collect();
-        let key = |&k: &usize| -> f64 { (search.key)(Vec::<f64>::as_slice(&values)[k]) };
+        let key = |k: &usize| (search.key)(values[*k]);
         order.sort_by(|a, b| key(b).total_cmp(&key(a)));
         let largest = values.iter().fold(0.0, |max: f64, value| max.max(value.abs()));
         let requested =
@@ -288,17 +220,41 @@ impl KrylovSpace<'_> {
         // Pairs that are not requested because of their keys may still approach requested ones.
         let negligible = |&k: &usize| small(&k) || residual(k) <= search.least * largest;
         let mut others = order.iter().take(search.count).skip(requested);
-        let converged = order[..requested].iter().all(small) && others.all(negligible);
-        Ritz { vectors, order, largest, requested, converged }
+        let is_large = n == all || n >= search.count;
+        let converged = is_large && order[..requested].iter().all(small) && others.all(negligible);
+        Ritz { values, vectors, order, largest, requested, converged }
     }
+}
 
-    /// Returns the k-th best pair.
-    fn pair(&self, ritz: &Ritz, k: usize) -> EigenPair {
-        let at = ritz.order[k];
-        let mut vector = DVector::zeros(self.basis[0].len());
-        for (v, &weight) in self.basis.iter().zip(&ritz.vectors.column(at)) {
-            vector.axpy(weight, v, 1.0);
-        }
-        EigenPair { vector }
+/// Computes √(xᵀ B x). The square of a small remainder may be a negative rounding error.
+fn size(op: &Operator<'_>, x: &[f64]) -> f64 {
+    op.inner.square(x).max(0.0).sqrt()
+}
+
+/// Computes √(xᵀ B x) and checks that the square is neither infinite nor negative.
+fn checked_size(op: &Operator<'_>, x: &[f64]) -> Result<f64, EigenError> {
+    let square = op.inner.square(x);
+    if !square.is_finite() {
+        return Err(EigenError::Singular);
     }
+    if square < 0.0 && square < -INDEFINITE * op.inner.magnitude(x) {
+        return Err(EigenError::Indefinite);
+    }
+    Ok(square.max(0.0).sqrt())
+}
+
+/// Computes the eigenvalues and eigenvectors of a symmetric matrix, which may be empty.
+fn eigenpairs(h: DMatrix<f64>) -> (Vec<f64>, DMatrix<f64>) {
+    if h.is_empty() {
+        return (Vec::new(), h);
+    }
+    let eigen = SymmetricEigen::new(h);
+    (eigen.eigenvalues.data.into(), eigen.eigenvectors)
+}
+
+/// Computes B X.
+fn images(op: &Operator<'_>, block: &Columns) -> Columns {
+    let mut images = block.clone();
+    (0..block.count()).for_each(|k| op.inner.multiply(block.column(k), images.column_mut(k)));
+    images
 }

@@ -1,8 +1,7 @@
 use std::f64::consts::TAU;
 
-use nalgebra::DVector;
-
-use super::krylov::{EigenError, EigenSearch, EigenSearchResult, krylov};
+use super::krylov::{EigenSearch, KrylovSpace, Ritz};
+use super::operator::EigenError;
 use super::pencil::Pencil;
 use super::refinement::Refinement;
 use crate::equations::{EquationsOfMotion, State};
@@ -45,7 +44,7 @@ pub struct EigenModes {
     pub modes: Vec<Mode>,
     /// Number of rigid modes, whose ω² is within the rounding error of xᵀ K x.
     pub rigid: usize,
-    /// Verified number of modes, `None` if K − σM has no symmetric factorisation.
+    /// Verified number of modes, `None` if K − σM has no symmetric factorisation, or its rounding errors exceed the gaps between ω².
     pub sturm: Option<SturmCount>,
 }
 
@@ -57,37 +56,52 @@ impl EigenModes {
 }
 
 /// Residual tolerance of converged eigenpairs.
-const TOLERANCE: f64 = 1e-7;
-/// Number of block vectors in addition to the requested modes.
-const GUARD: usize = 4;
-/// Smallest number of modes in a block: those of a free body. The block then has a mode with strain, which determines the shift.
-const RIGID: usize = 6;
+const TOLERANCE: f64 = 1e-8;
+/// Residual tolerance relative to the error of the factors.
+const TOLERANCE_OF_ERROR: f64 = 1e-3;
+/// Number of vectors of a block, and of those that are added after a missed mode.
+const BLOCK: usize = 4;
+/// Number of vectors of a space before a restart: a multiple of the number of requested modes, and a constant.
+const CAPACITY: (usize, usize) = (3, 30);
+/// Number of vectors for the estimate of the spectrum: more than the six rigid modes of a free body.
+const ROUGH: usize = 8;
+/// Number of vectors for the estimate of the rounding error of the factors.
+const SAMPLE: usize = 3;
+/// Number of blocks of a space from which the spectrum is estimated, and of a complete one.
+const DEPTH: [usize; 2] = [4, 300];
 /// Factor of the shift if it is too close to ω² = 0 for the solution of linear equations.
 const FARTHER: f64 = 1e4;
 /// Residual above which modes are computed again with a shift farther from zero.
 const INACCURATE: f64 = 1e-4;
-/// Number of blocks of the first Krylov space, which estimates the spectrum, and of the next ones.
-const DEPTH: [usize; 2] = [4, 16];
-/// Maximum number of restarts, each with a better shift and better vectors.
-const PASSES: usize = 8;
-/// Smallest gap between ω² at which eigenvalues are counted, relative to the distance to the shift.
-const MIN_GAP: f64 = 1e-3;
+/// Maximum number of shifts and of searches for missed modes.
+const PASSES: usize = 12;
+/// Smallest gap between ω² at which eigenvalues are counted, relative to the distance to the shift, and in rounding errors of
+/// the factors.
+const MIN_GAP: [f64; 2] = [1e-3, 20.0];
 
 /// Size of ω², relative to the highest, below which it does not determine the shift.
 const NEGLIGIBLE: f64 = 1e-22;
+/// Relative error of the factors above which they are not an approximation of K − σM.
+const MAX_FACTOR_ERROR: f64 = 0.1;
+/// Distance of the shift in errors of the factors.
+const SAFE: f64 = 10.0;
+/// Distance of the shift from the lowest ω², relative to the best one, below which it is changed.
+const NEAR: f64 = 1e-3;
+/// Error of the factors up to which a shift next to zero is better than a distant one.
+const ACCURATE_FACTORS: f64 = 1e-6;
 
 /// Computes the `count` lowest modes K x + Φ_qᵀ μ = ω² M x, Φ_q x = 0 about a state, or fewer if there are no more.
 ///
 /// K is the tangent of f + Φ_qᵀ λ in that state, including the stiffness of stresses, loads and multipliers. Gyroscopic
 /// forces and damping are neglected.
 ///
-/// Block Krylov spaces find the largest eigenvalues θ = 1/(ω² − σ) of (K − σM)⁻¹ M. The shift σ lies below all ω²,
-/// which the inertia of K − σM verifies. Its distance to the lowest ω² is that of the smallest nonzero |ω²| to zero.
-/// Free bodies with singular K are therefore admissible. Units and slope lengths have no effect.
+/// The block Lanczos method finds the largest eigenvalues θ = 1/(ω² − σ) of (K − σM)⁻¹ M. The shift σ lies below all ω², which the
+/// inertia of K − σM verifies, at a distance above the rounding errors of the factors. Free bodies with singular K are therefore
+/// admissible. Units and slope lengths have no effect.
 ///
-/// The modes are corrected and ω² is computed with products K x term by term, which have less rounding error than the
-/// assembled matrix ([`EquationsOfMotion::stiffness_products`]). The modes are complete: the number of ω² below the last
-/// gap is compared with the inertia of K − σM, and the search is repeated with other vectors if it differs.
+/// The modes are corrected and ω² is computed with products K x by the strains of the elements, which have less rounding error
+/// than the assembled matrix ([`EquationsOfMotion::stiffness_products`]). The modes are complete: the number of ω² below the last
+/// gap is compared with the inertia of K − σM, and the search is continued with further vectors if it differs.
 ///
 /// `matrix` is any matrix of the pattern of `eom`.
 ///
@@ -109,100 +123,163 @@ pub fn modes(
         return Ok(EigenModes { modes: Vec::new(), rigid: 0, sturm: None });
     }
     let mut pencil = Pencil::new(eom, matrix, s, interrupt)?;
-    let mut search =
-        EigenSearch { count, key: |theta| theta, least: 0.0, tolerance: TOLERANCE, depth: DEPTH[0] };
-    // A shift far below all ω² prefers no mode, so the start vectors are independent even for a poor first shift.
     let highest = pencil.highest();
-    pencil.factorise(-highest)?;
-    let mut start = pencil.operator().start(count.max(RIGID) + GUARD, 0)?;
-    let (mut best, mut failure): (Option<EigenModes>, _) = (None, EigenError::NotConverged);
     let farther = |shift: f64| (FARTHER * shift).max(-highest).min(shift);
-    let mut shift = -100.0 * f64::EPSILON * highest;
+    let (mut best, mut failure): (Option<EigenModes>, _) = (None, EigenError::NotConverged);
+    let mut shift = -f64::EPSILON * highest;
     for pass in 0..PASSES {
-        let factorised = pencil.factorise(shift).map(|found| shift = found);
-        let found = match factorised.and_then(|()| krylov(&mut pencil.operator(), start.clone(), &search)) {
-            Err(EigenError::Singular) => {
-                (failure, shift) = (EigenError::Singular, farther(shift));
+        let search = ShiftedSearch::new(&mut pencil, shift, [count, degrees], pass);
+        let found = search.and_then(|(mut search, better)| {
+            shift = search.shift;
+            match better.filter(|_| pass + 1 < PASSES) {
+                Some(better) => Ok(Err(better)),
+                None => search.complete(&mut pencil).map(Ok),
+            }
+        });
+        let found = match found {
+            Ok(Ok(found)) => found,
+            Ok(Err(better)) => {
+                shift = better;
                 continue;
             }
-            found => found?,
+            Err(error @ (EigenError::Interrupted | EigenError::Indefinite)) => return Err(error),
+            Err(error) => {
+                (failure, shift) = (error, farther(shift));
+                continue;
+            }
         };
-        let next = better_shift(&pencil, &found, shift);
-        start = found.pairs.iter().map(|pair| pair.vector.clone()).collect();
-        let is_complete = found.converged && found.requested == count;
-        if pass > 0 && is_complete {
-            let modes = finish(&mut pencil, &found, shift, degrees)?;
-            if let Some(modes) = counted(&mut pencil, modes, shift)? {
-                let is_better = best.as_ref().is_none_or(|best| modes.residual() < best.residual());
-                let is_accurate = !is_better || modes.residual() <= INACCURATE;
-                if is_better {
-                    best = Some(modes);
-                }
-                if is_accurate {
-                    break;
-                }
-                // The shift is too close to ω² = 0 of rigid modes.
-                shift = farther(shift);
-                continue;
-            }
-            failure = EigenError::Missed;
-            pencil.factorise(shift)?;
-            start.extend(pencil.operator().start(GUARD, pass as u64)?);
+        let is_better = best.as_ref().is_none_or(|best| found.residual() < best.residual());
+        let is_accurate = !is_better || found.residual() <= INACCURATE;
+        if is_better {
+            best = Some(found);
         }
-        shift = next;
-        search.depth = DEPTH[1];
+        if is_accurate {
+            break;
+        }
+        // The shift is too close to ω² = 0 of rigid modes.
+        shift = farther(shift);
     }
     best.ok_or(failure)
 }
 
-/// Returns a shift below the lowest ω², at the distance of the smallest |ω²| beyond the rounding error of the matrix.
-///
-/// Pairs may be rough here, so the bounds of their rounding errors do not apply.
-fn better_shift(pencil: &Pencil<'_>, found: &EigenSearchResult, shift: f64) -> f64 {
-    let vectors: Vec<DVector<f64>> = found.pairs.iter().map(|pair| pair.vector.clone()).collect();
-    let squared = pencil.stiffness_products(&vectors).values();
-    let negligible = NEGLIGIBLE * pencil.highest();
-    let errors: Vec<f64> = vectors.iter().map(|x| pencil.rounding(x).max(negligible)).collect();
-    // A rigid mode may exceed its own bound, which is zero for a translation of all nodes, but not that of the others.
-    let is_zero = |(value, error): &(&f64, &f64)| value.abs() <= **error;
-    let error = squared.iter().zip(&errors).filter(is_zero).map(|(_, error)| *error).fold(0.0, f64::max);
-    let is_sure = |(value, own): &(&f64, &f64)| value.abs() > own.max(error);
-    let squared: Vec<f64> = squared.iter().zip(&errors).filter(is_sure).map(|(value, _)| *value).collect();
-    let lowest = squared.iter().copied().fold(0.0, f64::min);
-    let nearest = squared.iter().map(|squared| squared.abs()).fold(f64::INFINITY, f64::min);
-    if nearest.is_finite() { lowest - nearest } else { shift }
-}
-
-/// Computes the modes of converged pairs. Vectors beyond the number of degrees of freedom are rounding errors.
-fn finish(
-    pencil: &mut Pencil<'_>,
-    found: &EigenSearchResult,
+/// Search for the lowest modes with the factors of one shift.
+struct ShiftedSearch {
     shift: f64,
-    degrees: usize,
-) -> Result<EigenModes, EigenError> {
-    // T makes x satisfy the constraints to the accuracy of the linear solver.
-    let images: Result<Vec<_>, _> =
-        found.pairs.iter().take(degrees).map(|pair| pencil.operator().apply(&pair.vector)).collect();
-    let refined = Refinement::new(pencil, images?, found.requested, shift)?;
-    let n = pencil.coordinates();
-    let mode = |k: usize| {
-        let x = &refined.vectors[k];
-        let sign = pencil.sign(x);
-        let shape = x.as_slice()[..n].iter().map(|x| sign * x).collect();
-        Mode { omega_squared: refined.squared[k], shape, residual: refined.residuals[k] }
-    };
-    let modes: Vec<Mode> = (0..found.requested).map(mode).collect();
-    let rigid = modes.iter().filter(|mode| mode.omega_squared == 0.0).count();
-    Ok(EigenModes { modes, rigid, sturm: None })
+    /// Number of modes, and of degrees of freedom.
+    count: usize,
+    search: EigenSearch,
+    space: KrylovSpace,
+    /// Rounding error of the factors as an error of ω².
+    error: f64,
 }
 
-/// Verifies the number of ω² below the last gap. Returns `None` if it differs from the number of modes there.
-fn counted(pencil: &mut Pencil<'_>, modes: EigenModes, shift: f64) -> Result<Option<EigenModes>, EigenError> {
-    let squared: Vec<f64> = modes.modes.iter().map(|mode| mode.omega_squared).collect();
-    let has_gap = |k: &usize| squared[*k] - squared[*k - 1] > MIN_GAP * (squared[*k] - shift);
-    let gap = (1..squared.len()).rev().find(has_gap);
-    let (below, expected) = gap.map_or((shift, 0), |k| (0.5 * (squared[k - 1] + squared[k]), k));
-    let Some(count) = pencil.count_below(below)? else { return Ok(Some(modes)) };
-    let sturm = Some(SturmCount { below, count });
-    Ok((count == expected).then_some(EigenModes { sturm, ..modes }))
+impl ShiftedSearch {
+    /// Factorises K − σM for a shift and estimates the spectrum. Returns a better shift, if there is one.
+    fn new(
+        pencil: &mut Pencil<'_>,
+        shift: f64,
+        [count, degrees]: [usize; 2],
+        pass: usize,
+    ) -> Result<(Self, Option<f64>), EigenError> {
+        let shift = pencil.factorise(shift)?;
+        let capacity = CAPACITY.0 * count + CAPACITY.1;
+        let search = EigenSearch { count, key: |theta| theta, least: 0.0, tolerance: TOLERANCE, capacity };
+        let mut op = pencil.operator();
+        let start = op.start(BLOCK, pass as u64)?;
+        let mut space = KrylovSpace::new(&op, start, degrees)?;
+        let rough = space.extend(&mut op, &search, [0, DEPTH[0]])?;
+        let mut search = Self { shift, count, search, space, error: 0.0 };
+        let better = search.better_shift(pencil, &rough)?;
+        Ok((search, better))
+    }
+
+    /// Returns a shift below the lowest ω² at the distance of the smallest nonzero |ω²|, or of a multiple of the rounding error of
+    /// the factors if that is larger; `None` if the shift is farther, or if neither the factors nor rigid modes require the distance.
+    fn better_shift(&mut self, pencil: &mut Pencil<'_>, rough: &Ritz) -> Result<Option<f64>, EigenError> {
+        let vectors = self.space.vectors(rough, ROUGH);
+        let found = pencil.stiffness_products(&vectors);
+        let negligible = NEGLIGIBLE * pencil.highest();
+        let error = |(value, rounding): (&f64, &f64)| (*value, rounding.max(negligible));
+        let squared: Vec<(f64, f64)> = found.values().iter().zip(&found.rounding).map(error).collect();
+        // A rigid mode may exceed its own bound, which is zero for a translation of all nodes, but not that of the others.
+        let zeros = squared.iter().filter(|(value, error)| value.abs() <= *error);
+        let largest = zeros.map(|(_, error)| *error).fold(0.0, f64::max);
+        let nonzero = || squared.iter().map(|(value, _)| *value).filter(|value| value.abs() > largest);
+        let nearest = nonzero().map(f64::abs).fold(f64::INFINITY, f64::min);
+        let lowest = nonzero().fold(0.0, f64::min);
+        let bottom = squared.iter().map(|(value, _)| *value).fold(f64::INFINITY, f64::min);
+        let mut relative = 0.0_f64;
+        for (x, (value, _)) in vectors.iter().zip(&squared).take(SAMPLE) {
+            let change = pencil.factor_error(x, self.shift)?;
+            relative = relative.max(change);
+            self.error = self.error.max(change * (value - self.shift));
+        }
+        // Vectors of the factors are not more accurate than the factors.
+        self.search.tolerance = f64::max(TOLERANCE, TOLERANCE_OF_ERROR * relative);
+        let distance = lowest - self.shift;
+        if relative > MAX_FACTOR_ERROR {
+            return Ok(Some(lowest - SAFE * self.error.max(distance)));
+        }
+        let best = (SAFE * self.error).max(if nearest.is_finite() { nearest } else { 0.0 });
+        let is_near = relative > ACCURATE_FACTORS || bottom - self.shift < NEAR * best;
+        Ok((distance < best && is_near).then_some(lowest - best))
+    }
+
+    /// Enlarges the space until all modes are found.
+    fn complete(&mut self, pencil: &mut Pencil<'_>) -> Result<EigenModes, EigenError> {
+        let mut least = 0;
+        for pass in 0..PASSES {
+            let op = &mut pencil.operator();
+            let found = self.space.extend(op, &self.search, [least, DEPTH[1]])?;
+            if !found.converged {
+                return Err(EigenError::NotConverged);
+            }
+            if found.requested == self.count {
+                let modes = self.finish(pencil, &found)?;
+                if let Some(modes) = self.counted(pencil, modes)? {
+                    return Ok(modes);
+                }
+                pencil.factorise(self.shift)?;
+            }
+            let op = &mut pencil.operator();
+            let further = op.start(BLOCK, (PASSES + pass) as u64)?;
+            self.space.insert(op, further)?;
+            least = DEPTH[0];
+        }
+        Err(EigenError::Missed)
+    }
+
+    /// Computes the modes of converged pairs.
+    fn finish(&self, pencil: &mut Pencil<'_>, found: &Ritz) -> Result<EigenModes, EigenError> {
+        let refined = Refinement::new(pencil, (&self.space, found), self.count, self.shift)?;
+        let n = pencil.coordinates();
+        let mode = |k: usize| {
+            let x = &refined.vectors[k];
+            let sign = pencil.sign(x);
+            let shape = x.as_slice()[..n].iter().map(|x| sign * x).collect();
+            Mode { omega_squared: refined.squared[k], shape, residual: refined.residuals[k] }
+        };
+        let modes: Vec<Mode> = (0..self.count).map(mode).collect();
+        let rigid = modes.iter().filter(|mode| mode.omega_squared == 0.0).count();
+        Ok(EigenModes { modes, rigid, sturm: None })
+    }
+
+    /// Verifies the number of ω² below the last gap. Returns `None` if it differs from the number of modes there.
+    fn counted(&self, pencil: &mut Pencil<'_>, modes: EigenModes) -> Result<Option<EigenModes>, EigenError> {
+        let squared: Vec<f64> = modes.modes.iter().map(|mode| mode.omega_squared).collect();
+        let [relative, errors] = MIN_GAP;
+        let last_gap = |least: &dyn Fn(usize) -> f64| {
+            (1..squared.len()).rev().find(|&k| squared[k] - squared[k - 1] > least(k))
+        };
+        let wide = |k: usize| relative * (squared[k] - self.shift);
+        let gap = last_gap(&|k| wide(k).max(errors * self.error));
+        if gap.is_none() && last_gap(&wide).is_some() {
+            // All gaps are rounding errors of the factors.
+            return Ok(Some(modes));
+        }
+        let (below, expected) = gap.map_or((self.shift, 0), |k| (0.5 * (squared[k - 1] + squared[k]), k));
+        let Some(count) = pencil.count_below(below)? else { return Ok(Some(modes)) };
+        let sturm = Some(SturmCount { below, count });
+        Ok((count == expected).then_some(EigenModes { sturm, ..modes }))
+    }
 }

@@ -1,8 +1,8 @@
 use faer::Mat;
 use nalgebra::{Complex, DMatrix, DVector};
 
-use super::krylov::{EigenError, PseudoRandom};
 use super::modes::modes;
+use super::operator::{EigenError, PseudoRandom};
 use super::skew_operator::SkewOperator;
 use crate::equations::{EquationsOfMotion, State, Weights};
 use crate::newton::Interrupt;

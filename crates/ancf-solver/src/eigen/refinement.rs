@@ -1,6 +1,8 @@
 use nalgebra::{Cholesky, DMatrix, DVector, SymmetricEigen};
 
-use super::krylov::EigenError;
+use super::columns::Columns;
+use super::krylov::{KrylovSpace, Ritz};
+use super::operator::EigenError;
 use super::pencil::Pencil;
 
 /// Maximum number of corrections.
@@ -10,11 +12,16 @@ pub(super) const ACCURATE: f64 = 1e-9;
 /// Reduction of the residual below which further corrections have no effect.
 pub(super) const PROGRESS: f64 = 0.9;
 
+/// Residual up to which the corrections alone reduce the components of other modes.
+const SMALL: f64 = 1e-6;
+
 /// Multiple of the energy zᵀ (K − σM) z of the correction z of a mode up to which its ω² is zero. The error of x = x₀ + z
 /// adds zᵀ K z to ω² = 0.
 const ENERGIES: f64 = 4.0;
+/// Size of a correction above which a mode is not accurate enough for the decision that its ω² is zero.
+const UNDECIDED: f64 = 1e-6;
 
-/// Approximate modes, M-orthonormal, in ascending order of ω².
+/// Modes, M-orthonormal, in ascending order of ω².
 pub(super) struct Refinement {
     /// Values of ω², zero within the rounding error of xᵀ K x.
     pub(super) squared: Vec<f64>,
@@ -24,66 +31,79 @@ pub(super) struct Refinement {
     /// least √(zᵀ (K − σM) z/|σ|).
     pub(super) residuals: Vec<f64>,
     corrections: Vec<DVector<f64>>,
-    forms: DMatrix<f64>,
 }
 
 impl Refinement {
-    /// Corrects modes by inverse iteration with the residuals of the terms, x − (K − σM)⁻¹ (K x − ω² M x), and the
-    /// Rayleigh-Ritz method, until the first `count` residuals are small or no longer decrease.
+    /// Corrects the best `count` Ritz vectors of a space with the residuals of the terms, x − (K − σM)⁻¹ (K x − ω² M x), and the
+    /// Rayleigh-Ritz method, until the residuals are small or no longer decrease.
     ///
-    /// The factors contain the rounding error of the assembled matrix, the residuals do not.
+    /// The factors contain the rounding error of the assembled matrix, the residuals do not. The Ritz vectors of the modes contain
+    /// those of other modes by this error. Unless it is small, the Rayleigh-Ritz method therefore also has the other vectors of the space.
     pub(super) fn new(
         pencil: &mut Pencil<'_>,
-        vectors: Vec<DVector<f64>>,
+        (space, ritz): (&KrylovSpace, &Ritz),
         count: usize,
         shift: f64,
     ) -> Result<Self, EigenError> {
-        let vectors = independent(vectors, count, |x| pencil.mass_times(x));
-        let mut best = Self::measure(pencil, vectors, shift)?;
+        let mut best = Self::first(pencil, space.vectors(ritz, count), shift)?;
+        let known = if best.largest() > SMALL { ritz.count() } else { count };
+        let others = OtherVectors::new(pencil, space.ritz_vectors(ritz, count..known));
         for _ in 0..CORRECTIONS {
-            if best.largest(count) <= ACCURATE {
+            if best.largest() <= ACCURATE {
                 break;
             }
-            let corrected = best.vectors.iter().zip(&best.corrections).map(|(x, z)| x - z).collect();
-            let rough = Self::measure(pencil, corrected, shift)?;
-            let Some(vectors) = rough.ritz(pencil) else { break };
-            let next = Self::measure(pencil, vectors, shift)?;
-            let progress = next.largest(count) <= PROGRESS * best.largest(count);
-            if next.largest(count) < best.largest(count) {
+            let corrected: Vec<_> = best.vectors.iter().zip(&best.corrections).map(|(x, z)| x - z).collect();
+            let Some(vectors) = others.ritz(pencil, &corrected) else { break };
+            let next = Self::measure(pencil, vectors, &[], shift)?;
+            let progress = next.largest() <= PROGRESS * best.largest();
+            if next.largest() < best.largest() {
                 best = next;
             }
             if !progress {
                 break;
             }
         }
-        best.sort(count);
+        best.sort();
         Ok(best)
     }
 
-    /// Largest of the first residuals.
-    fn largest(&self, count: usize) -> f64 {
-        self.residuals.iter().take(count).copied().fold(0.0, f64::max)
+    /// Applies (K − σM)⁻¹ M, which makes the vectors satisfy the constraints to the accuracy of the linear solver.
+    fn first(pencil: &mut Pencil<'_>, vectors: Vec<DVector<f64>>, shift: f64) -> Result<Self, EigenError> {
+        let (mut images, mut reactions) = (Vec::new(), Vec::new());
+        for x in &vectors {
+            let (image, own) = pencil.operator().apply_with_reactions(x.as_slice())?;
+            // K x − ω² M x has the opposite reactions.
+            reactions.push(own / -pencil.size(&image));
+            images.push(image);
+        }
+        Self::measure(pencil, images, &reactions, shift)
     }
 
-    /// Computes ω² = xᵀ K x and the corrections of vectors, which are normalised.
+    /// Largest residual.
+    fn largest(&self) -> f64 {
+        self.residuals.iter().copied().fold(0.0, f64::max)
+    }
+
+    /// Computes ω² = xᵀ K x and the corrections of vectors, which are normalised. The reactions of K x − ω² M x may be known.
     fn measure(
         pencil: &mut Pencil<'_>,
         mut vectors: Vec<DVector<f64>>,
+        reactions: &[DVector<f64>],
         shift: f64,
     ) -> Result<Self, EigenError> {
         vectors.iter_mut().for_each(|x| *x /= pencil.size(x));
         let found = pencil.stiffness_products(&vectors);
         let (mut squared, mut corrections) = (found.values(), Vec::new());
-        for ((x, product), value) in vectors.iter().zip(&found.products).zip(&squared) {
-            let rest = product - pencil.mass_times(x) * *value;
-            corrections.push(pencil.operator().correction(x, rest)?);
+        for (k, (x, product)) in vectors.iter().zip(&found.products).enumerate() {
+            let rest = product - pencil.mass_times(x) * squared[k];
+            corrections.push(pencil.operator().correction(x, rest, reactions.get(k))?);
         }
-        let energies = pencil.stiffness_products(&corrections).forms.diagonal();
+        let energies = pencil.stiffness_products(&corrections).squares;
         let mut residuals = Vec::new();
         for ((z, value), energy) in corrections.iter().zip(&mut squared).zip(&energies) {
             let size = pencil.size(z);
             let energy = energy.abs() + shift.abs() * size.powi(2);
-            if value.abs() <= ENERGIES * energy {
+            if value.abs() <= ENERGIES * energy && size <= UNDECIDED {
                 *value = 0.0;
             }
             residuals.push(match *value {
@@ -91,25 +111,12 @@ impl Refinement {
                 value => size * (value - shift) / value.abs(),
             });
         }
-        Ok(Self { squared, vectors, residuals, corrections, forms: found.forms })
+        Ok(Self { squared, vectors, residuals, corrections })
     }
 
-    /// Returns the Ritz vectors of the span, by ascending Ritz values.
-    fn ritz(&self, pencil: &Pencil<'_>) -> Option<Vec<DVector<f64>>> {
-        let count = self.vectors.len();
-        let images: Vec<_> = self.vectors.iter().map(|x| pencil.mass_times(x)).collect();
-        let gram = DMatrix::from_fn(count, count, |i, j| {
-            0.5 * (self.vectors[i].dot(&images[j]) + self.vectors[j].dot(&images[i]))
-        });
-        let (values, weights) = projected(&(0.5 * (&self.forms + self.forms.transpose())), &gram)?;
-        let mut order: Vec<usize> = (0..count).collect();
-        order.sort_by(|&a, &b| values[a].total_cmp(&values[b]));
-        Some(order.iter().map(|&k| combined(&self.vectors, weights.column(k).as_slice())).collect())
-    }
-
-    /// Sorts the first modes by ω² and removes the others, which may be inaccurate.
-    fn sort(&mut self, count: usize) {
-        let mut order: Vec<usize> = (0..self.squared.len().min(count)).collect();
+    /// Sorts the modes by ω².
+    fn sort(&mut self) {
+        let mut order: Vec<usize> = (0..self.squared.len()).collect();
         order.sort_by(|&a, &b| self.squared[a].total_cmp(&self.squared[b]));
         self.squared = order.iter().map(|&k| self.squared[k]).collect();
         self.residuals = order.iter().map(|&k| self.residuals[k]).collect();
@@ -117,8 +124,57 @@ impl Refinement {
     }
 }
 
+/// Vectors Y of a space besides those of the modes, with Yᵀ K Y and Yᵀ M Y.
+struct OtherVectors {
+    vectors: Columns,
+    forms: DMatrix<f64>,
+    gram: DMatrix<f64>,
+}
+
+/// Number of vectors of a product with K, which limits the storage.
+const CHUNK: usize = 8;
+
+impl OtherVectors {
+    fn new(pencil: &Pencil<'_>, vectors: Columns) -> Self {
+        let (count, rows) = (vectors.count(), vectors.rows());
+        let [mut forms, mut gram] = [DMatrix::zeros(count, count), DMatrix::zeros(count, count)];
+        for first in (0..count).step_by(CHUNK) {
+            let chunk = vectors.range(first..count.min(first + CHUNK));
+            let products = Columns::of(rows, &pencil.stiffness_products(&chunk).products);
+            forms.columns_mut(first, chunk.len()).copy_from(&vectors.products(&products));
+            gram.columns_mut(first, chunk.len()).copy_from(&vectors.products(&pencil.images(&chunk)));
+        }
+        Self { vectors, forms, gram }
+    }
+
+    /// Returns the Ritz vectors of the span of these and other vectors X with the lowest Ritz values, as many as X.
+    fn ritz(&self, pencil: &Pencil<'_>, vectors: &[DVector<f64>]) -> Option<Vec<DVector<f64>>> {
+        let (count, rows) = (vectors.len(), self.vectors.rows());
+        let products = Columns::of(rows, &pencil.stiffness_products(vectors).products);
+        let (images, vectors) = (pencil.images(vectors), Columns::of(rows, vectors));
+        let bordered = |right: &Columns, own: &DMatrix<f64>| {
+            let (first, mixed) = (vectors.products(right), self.vectors.products(right));
+            let entry = |i: usize, j: usize| match (i.checked_sub(count), j.checked_sub(count)) {
+                (None, None) => 0.5 * (first[(i, j)] + first[(j, i)]),
+                (Some(i), None) => mixed[(i, j)],
+                (None, Some(j)) => mixed[(j, i)],
+                (Some(i), Some(j)) => 0.5 * (own[(i, j)] + own[(j, i)]),
+            };
+            DMatrix::from_fn(count + own.nrows(), count + own.nrows(), entry)
+        };
+        let (values, weights) = projected(&bordered(&products, &self.forms), &bordered(&images, &self.gram))?;
+        let mut order: Vec<usize> = (0..values.len()).collect();
+        order.sort_by(|&a, &b| values[a].total_cmp(&values[b]));
+        let part =
+            |from: usize, rows: usize| DMatrix::from_fn(rows, count, |i, k| weights[(from + i, order[k])]);
+        let mut sum = vectors.combined(&part(0, count));
+        sum.add(&self.vectors, &part(count, self.vectors.count()), 1.0);
+        Some(sum.range(0..count))
+    }
+}
+
 /// Size of a guard vector, relative to the largest vector, below which it consists of rounding errors.
-const SMALL: f64 = 1e-6;
+const NEGLIGIBLE: f64 = 1e-6;
 /// Size of the independent part of a guard vector below which the vector is dependent.
 const DEPENDENT: f64 = 1e-3;
 
@@ -133,7 +189,7 @@ pub(super) fn independent(
     let mut kept: Vec<(DVector<f64>, DVector<f64>)> = Vec::new();
     for (k, mut x) in vectors.into_iter().enumerate() {
         let whole = size(&x);
-        if k >= count && whole <= SMALL * largest {
+        if k >= count && whole <= NEGLIGIBLE * largest {
             continue;
         }
         x /= whole;

@@ -1,7 +1,7 @@
 use faer::Mat;
 use nalgebra::{DMatrix, DVector, Dyn, LU};
 
-use super::krylov::{EigenError, PseudoRandom};
+use super::operator::{EigenError, PseudoRandom};
 use crate::equations::{EquationsOfMotion, State, Weights};
 use crate::factor::Factor;
 use crate::newton::Interrupt;

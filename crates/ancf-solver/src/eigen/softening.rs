@@ -1,6 +1,6 @@
 //! Geometric stiffness of the loads of linear buckling.
 
-use super::krylov::EigenError;
+use super::operator::EigenError;
 use crate::equations::{EquationsOfMotion, State, Weights};
 use crate::factor::{DETERMINED, Factor};
 use crate::sparse::SparseMatrix;

@@ -12,7 +12,7 @@ mod term_sums;
 mod terms;
 mod thread_parts;
 
-pub use batch::{Batch, LANES, Lanes, LocalLanes};
+pub use batch::{Batch, LANES, Lanes, LocalLanes, MAX_UNKNOWNS};
 pub use contact_pairs::{ActiveGroup, ActivePair, ContactGroup, ContactPair, ContactSearch, active_terms};
 pub use dependence::{Dependence, REDUNDANCY_TOLERANCE, all_constraint_rows, constraint_rows, dependences};
 pub use motion_equations::EquationsOfMotion;
@@ -21,7 +21,7 @@ pub use stiffness_products::StiffnessProducts;
 pub use system::System;
 pub use term_sums::Rotation;
 pub use terms::{
-    Energy, Inadmissibility, LOCAL, Level, Local, LocalMatrix, LocalStep, Power, State, StepStates, Term,
-    Weights, correct_work, discrete_residual, load_power, middle_residual, quadratic_constraints,
-    velocity_forces,
+    Energy, Inadmissibility, LOCAL, Level, Local, LocalMatrix, LocalStep, Power, ProductColumn, State,
+    StepStates, Term, Weights, correct_work, discrete_residual, load_power, middle_residual,
+    quadratic_constraints, velocity_forces,
 };

@@ -172,9 +172,13 @@ pub(super) fn pattern_of<'a>(
 ) -> Pattern {
     let blocks: IndexLists = terms.clone().map(|term| unknowns(&**term, coordinates)).collect();
     assert!(blocks.iter().all(|block| block.len() <= LOCAL), "a term has at most {LOCAL} unknowns");
-    let defining = terms.filter(|term| !term.massless().is_empty());
+    let defining = terms.clone().filter(|term| !term.massless().is_empty());
     let defined: Vec<_> = defining.map(|term| (term.massless().to_vec(), term.multipliers())).collect();
-    Pattern::new(coordinates, rows, &blocks, &defined)
+    let constraints = terms.filter(|term| !term.multipliers().is_empty()).flat_map(|term| {
+        let (own, first) = (term.coordinates(), coordinates + term.multipliers().start);
+        term.constraint_entries().into_iter().map(move |[k, i]| [own[i], first + k])
+    });
+    Pattern::new(coordinates, rows, &blocks, &defined).with_border(constraints)
 }
 
 /// Returns the scatter maps of some terms.

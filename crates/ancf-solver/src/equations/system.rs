@@ -2,13 +2,13 @@ use std::fmt;
 use std::ops::AddAssign;
 use std::sync::Arc;
 
-use super::batch::{Batch, GatheredLanes, LocalLanes, PlacedBatch};
+use super::batch::{Batch, LaneStorage, LocalLanes, PlacedBatch, TangentPlaces};
 use super::contact_pairs::{ActiveContacts, ActiveGroup, ContactSearch};
 use super::dependence::scaled_constraint_rows;
 use super::scatter::{Scatter, pattern_of, scatters};
 use super::term_sums::LocalState;
 use super::terms::{LOCAL, Local, LocalMatrix, State, Term};
-use super::thread_parts::{ThreadParts, enclosing_range};
+use super::thread_parts::ThreadParts;
 use crate::sparse::{ConstraintRow, Pattern, SparseMatrix};
 
 /// Equations of motion as a sum of terms: gather, evaluate, scatter.
@@ -27,9 +27,13 @@ pub struct System {
     pub(super) angles: Vec<usize>,
     /// Scatter map of each term.
     pub(super) scatters: Vec<Scatter>,
-    /// Batches, indices of the terms that are evaluated one by one, and batches by residual rows and by matrix entries.
+    /// Batches with the places of their tangents in the matrix.
     pub(super) batches: Arc<[PlacedBatch]>,
+    pub(super) places: Arc<[TangentPlaces]>,
+    /// Indices of the terms that are evaluated one by one, and of those with multipliers among them.
     pub(super) unbatched: Vec<usize>,
+    pub(super) unbatched_constraints: Vec<usize>,
+    /// Batches by residual rows and by matrix entries.
     pub(super) by_rows: ThreadParts,
     pub(super) by_entries: ThreadParts,
 }
@@ -59,14 +63,17 @@ impl System {
             constraints: (0..terms.len()).filter(|&i| !terms[i].multipliers().is_empty()).collect(),
             angles: terms.iter().filter_map(|term| term.counted_angle()).collect(),
             scatters: scatters(&pattern, coordinates, &terms),
-            unbatched: (0..terms.len()).collect(),
+            unbatched: Vec::new(),
+            unbatched_constraints: Vec::new(),
             terms,
             rows,
             pattern,
             batches: Arc::default(),
+            places: Arc::default(),
             by_rows: ThreadParts::new(&[]),
             by_entries: ThreadParts::new(&[]),
         }
+        .in_batches(Arc::default())
     }
 
     /// Adds searches for terms that are active in some states only.
@@ -78,28 +85,28 @@ impl System {
         Self { contacts: ActiveContacts::new(searches), ..self }
     }
 
-    /// Evaluates terms in batches, each given with the index of its first term.
+    /// Evaluates terms in batches, each given with the indices of its terms.
     ///
     /// # Panics
     /// If the terms of a batch differ in size. This is a programming error, not an input error.
     #[must_use]
-    pub fn with_batches(self, batches: impl IntoIterator<Item = (usize, Box<dyn Batch>)>) -> Self {
-        let place = |(first, batch)| PlacedBatch::new(first, batch, &self.terms);
-        let batches = batches.into_iter().map(place).collect();
-        self.in_batches(batches)
+    pub fn with_batches(self, batches: impl IntoIterator<Item = (Vec<usize>, Box<dyn Batch>)>) -> Self {
+        let place = |(terms, batch)| PlacedBatch::new(terms, batch, &self.terms, self.coordinates);
+        let batches: Arc<[PlacedBatch]> = batches.into_iter().map(place).collect();
+        let places = batches.iter().map(|batched| TangentPlaces::new(batched, &self.pattern)).collect();
+        Self { places, ..self }.in_batches(batches)
     }
 
     fn in_batches(self, batches: Arc<[PlacedBatch]>) -> Self {
-        let mut unbatched = vec![true; self.terms.len()];
-        batches.iter().for_each(|batched| unbatched[batched.terms()].fill(false));
-        let unbatched = (0..self.terms.len()).filter(|&i| unbatched[i]).collect();
+        let mut is_alone = vec![true; self.terms.len()];
+        batches.iter().flat_map(|batched| &batched.terms).for_each(|&term| is_alone[term] = false);
+        let unbatched = (0..self.terms.len()).filter(|&i| is_alone[i]).collect();
+        let unbatched_constraints = self.constraints.iter().copied().filter(|&i| is_alone[i]).collect();
         let rows: Vec<_> = batches.iter().map(PlacedBatch::range).collect();
-        let entries = |batched: &PlacedBatch| {
-            enclosing_range(self.scatters[batched.terms()].iter().map(Scatter::range))
-        };
-        let entries: Vec<_> = batches.iter().map(entries).collect();
+        let placed = batches.iter().zip(&*self.places);
+        let entries: Vec<_> = placed.map(|(of, places)| places.range(of, &self.scatters)).collect();
         let (by_rows, by_entries) = (ThreadParts::new(&rows), ThreadParts::new(&entries));
-        Self { batches, unbatched, by_rows, by_entries, ..self }
+        Self { batches, unbatched, unbatched_constraints, by_rows, by_entries, ..self }
     }
 
     /// Replaces the terms of the contact groups by those of other groups, in ascending order.
@@ -119,7 +126,11 @@ impl System {
             |added: &[&Arc<dyn Term>]| pattern_of(n, &self.rows, lasting.iter().chain(added.iter().copied()));
         let (contacts, pattern) = self.contacts.replaced(groups, (&added, n), &self.pattern, new);
         let terms: Vec<_> = lasting.iter().cloned().chain(added).collect();
-        let kept = if Arc::ptr_eq(&pattern, &self.pattern) { self.lasting } else { 0 };
+        let is_kept = Arc::ptr_eq(&pattern, &self.pattern);
+        let kept = if is_kept { self.lasting } else { 0 };
+        let place = |batched| TangentPlaces::new(batched, &pattern);
+        let places =
+            if is_kept { Arc::clone(&self.places) } else { self.batches.iter().map(place).collect() };
         let new = scatters(&pattern, n, &terms[kept..]);
         let system = Self {
             contacts,
@@ -130,7 +141,9 @@ impl System {
             pattern,
             terms,
             batches: Arc::default(),
+            places,
             unbatched: Vec::new(),
+            unbatched_constraints: Vec::new(),
             by_rows: ThreadParts::new(&[]),
             by_entries: ThreadParts::new(&[]),
             ..*self
@@ -229,17 +242,19 @@ impl System {
         batches.iter().map(|&i| &self.batches[i as usize])
     }
 
-    /// Sums over all batches.
+    /// Sums over all batches except constraints, which have no energy and power.
     pub(super) fn sum<T: Default + AddAssign + Send>(
         &self,
         s: &State,
         share: impl Fn(&dyn Batch, &LocalLanes<'_>) -> T + Sync,
     ) -> T {
         self.by_rows.sum(|batches| {
-            let (mut lanes, mut sum) = (GatheredLanes::EMPTY, T::default());
-            for batched in self.of(batches) {
-                sum += share(&*batched.batch, &lanes.gather(s, batched));
-            }
+            let mut sum = T::default();
+            LaneStorage::with(|storage| {
+                for batched in self.of(batches).filter(|batched| !batched.batch.is_constraint()) {
+                    sum += share(&*batched.batch, &storage.lanes.gather(s, batched));
+                }
+            });
             sum
         })
     }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use nalgebra::DVector;
 
-use super::batch::{GatheredLanes, LowerLanes};
+use super::batch::LaneStorage;
 use super::contact_pairs::{ActiveGroup, ActivePair, acting_pairs};
 use super::dependence::redundant_rows;
 use super::motion_equations::EquationsOfMotion;
@@ -27,16 +27,21 @@ impl EquationsOfMotion for System {
     fn residual(&self, s: &State, r: &mut [f64]) {
         r.fill(0.0);
         self.by_rows.add_to(r, |batches, r, first| {
-            let mut lanes = GatheredLanes::EMPTY;
-            self.of(batches).for_each(|batched| lanes.add_residual(s, batched, r, first));
+            LaneStorage::with(|storage| {
+                self.of(batches).for_each(|batched| storage.lanes.add_residual(s, batched, r, first));
+            });
         });
         self.add(self.unbatched(), s, r, |term, at, rows| term.residual(at, rows));
     }
 
     fn constraints(&self, s: &State, level: Level, phi: &mut [f64]) {
         phi.fill(0.0);
+        LaneStorage::with(|storage| {
+            let constrained = self.batches.iter().filter(|batched| batched.has_multipliers());
+            constrained.for_each(|batched| storage.lanes.add_constraints(s, batched, level, phi));
+        });
         let mut gathered = LocalState::EMPTY;
-        for &i in &self.constraints {
+        for &i in &self.unbatched_constraints {
             let term = self.terms[i].as_ref();
             term.constraints(&gathered.gather(s, term), level, &mut phi[term.multipliers()]);
         }
@@ -55,11 +60,13 @@ impl EquationsOfMotion for System {
         let values = k.values_mut();
         values.fill(0.0);
         self.by_entries.add_to(values, |batches, values, first| {
-            let (mut lanes, mut lower) = (GatheredLanes::EMPTY, LowerLanes::ZERO);
-            for batched in self.of(batches) {
-                let at = lanes.gather(s, batched);
-                lower.add_tangent(batched, &at, w, &self.scatters, (values, first));
-            }
+            LaneStorage::with(|LaneStorage { lanes, entries }| {
+                for &i in batches {
+                    let (batched, places) = (&self.batches[i as usize], &self.places[i as usize]);
+                    let at = lanes.gather(s, batched);
+                    entries.add_tangent((batched, places), &at, w, &self.scatters, (&mut *values, first));
+                }
+            });
         });
         let (mut gathered, terms) = (LocalState::EMPTY, self.unbatched.iter().copied());
         self.add_matrix(terms, values, |term, block| term.tangent(&gathered.gather(s, term), w, block));
@@ -99,10 +106,12 @@ impl EquationsOfMotion for System {
 
     fn inadmissible(&self, s: &State) -> Option<(usize, Inadmissibility)> {
         let batched = self.by_rows.find(|batches| {
-            let mut lanes = GatheredLanes::EMPTY;
-            self.of(batches).find_map(|batched| {
-                let lane = batched.batch.inadmissible(&lanes.gather(s, batched))?;
-                Some(&self.terms[batched.first + lane])
+            let mut limited = self.of(batches).filter(|batched| !batched.batch.is_constraint());
+            LaneStorage::with(|storage| {
+                limited.find_map(|batched| {
+                    let lane = batched.batch.inadmissible(&storage.lanes.gather(s, batched))?;
+                    Some(&self.terms[batched.terms[lane]])
+                })
             })
         });
         let mut gathered = LocalState::EMPTY;
@@ -175,7 +184,9 @@ impl EquationsOfMotion for System {
         damping.fill(0.0);
         self.by_rows.add_to(damping, |batches, r, first| {
             let damped = self.of(batches).filter(|batched| batched.batch.is_damped());
-            damped.for_each(|batched| GatheredLanes::EMPTY.add_damping(s, batched, r, first));
+            LaneStorage::with(|storage| {
+                damped.for_each(|batched| storage.lanes.add_damping(s, batched, r, first));
+            });
         });
         let damped = |term: &&Arc<dyn Term>| term.is_damped();
         self.add(self.unbatched().filter(damped), s, damping, |term, at, r| term.damping_forces(at, r));

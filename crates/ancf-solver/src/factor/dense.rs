@@ -20,6 +20,15 @@ fn add_products(y: &mut Quad, x: &Quad, z: &Quad) {
     }
 }
 
+/// Keeps a loop over quads as it is, at the end of an iteration. It contains no instruction.
+///
+/// Otherwise the compiler combines several iterations into wider vectors. The loops are so short that their remainders and
+/// permutations take several times longer.
+#[inline(always)]
+pub(super) fn keep_quads() {
+    std::hint::black_box(());
+}
+
 #[inline(always)]
 fn sum(x: &Quad) -> f64 {
     (x[0] + x[2]) + (x[1] + x[3])
@@ -89,11 +98,12 @@ fn eliminate_columns<const N: usize>(
     inverse: &mut [f64],
     sizes: &mut [Quad],
 ) -> bool {
-    let (height, length, mut good) = (shape.height, shape.height - four, true);
+    let (length, mut good) = (shape.height - four, true);
+    let (front, l) = (columns_of::<N>(front, shape.height, four), columns_of::<N>(l, length, 0));
     let (mut pivots, mut by) = ([0.0; N], [0.0; N]);
     // Factors of each column with the previous columns, from the quad of the diagonal.
     let mut factors = [[0.0; QUAD]; N];
-    let mut x: [Quad; N] = std::array::from_fn(|c| front[c * height + four]);
+    let mut x = quads(&front, 0);
     for c in 0..N {
         for k in 0..c {
             let before = x[k];
@@ -108,26 +118,49 @@ fn eliminate_columns<const N: usize>(
             factors[c][lane] = if lane > c { quotient[lane] } else { 0.0 };
         }
         raise(&mut sizes[four], &factors[c], &x[c]);
-        l[c * length] = factors[c];
-        front[c * height + four] = x[c];
+        l[c][0] = factors[c];
+        front[c][0] = x[c];
     }
     inverse[..N].copy_from_slice(&by);
     for row in 1..length {
-        let mut x: [Quad; N] = std::array::from_fn(|c| front[c * height + four + row]);
+        let mut x = quads(&front, row);
+        let own = sizes.get_mut(four + row);
+        let mut size = own.as_deref().copied().unwrap_or_default();
         for c in 0..N {
             for k in 0..c {
                 let before = x[k];
                 add_product(&mut x[c], -factors[k][c], &before);
             }
             let quotient = quotient(&x[c], pivots[c], by[c]);
-            l[c * length + row] = quotient;
-            front[c * height + four + row] = x[c];
-            if let Some(size) = sizes.get_mut(four + row) {
-                raise(size, &quotient, &x[c]);
-            }
+            l[c][row] = quotient;
+            front[c][row] = x[c];
+            raise(&mut size, &quotient, &x[c]);
+        }
+        if let Some(own) = own {
+            *own = size;
         }
     }
     good
+}
+
+/// Returns the first columns of the given height, from a row on.
+#[inline(always)]
+fn columns_of<const N: usize>(values: &mut [Quad], height: usize, row: usize) -> [&mut [Quad]; N] {
+    let mut columns: [&mut [Quad]; N] = std::array::from_fn(|_| <&mut [Quad]>::default());
+    for (column, values) in columns.iter_mut().zip(values.chunks_exact_mut(height)) {
+        *column = &mut values[row..];
+    }
+    columns
+}
+
+/// Returns a quad of each column.
+#[inline(always)]
+fn quads<const N: usize>(columns: &[&mut [Quad]; N], row: usize) -> [Quad; N] {
+    let mut quads = [[0.0; QUAD]; N];
+    for c in 0..N {
+        quads[c] = columns[c][row];
+    }
+    quads
 }
 
 /// Computes x/d from 1/d with the accuracy of a division: equal rows remain equal, and their difference remains zero.
@@ -276,6 +309,7 @@ fn forward_columns<const N: usize>(length: usize, l: &[Quad], x: &mut [Quad]) {
             add_product(&mut rows, -own[c], &columns[c][q]);
         }
         x[q] = rows;
+        keep_quads();
     }
 }
 
@@ -301,6 +335,7 @@ fn backward_columns<const N: usize>(length: usize, l: &[Quad], x: &mut [Quad]) {
         for c in 0..N {
             add_products(&mut sums[c], &columns[c][q], &x[q]);
         }
+        keep_quads();
     }
     let mut own = x[0];
     for c in (0..N).rev() {
@@ -339,6 +374,7 @@ fn multiply_columns<const N: usize>(length: usize, a: &[Quad], x: &[Quad], y: &m
             add_products(&mut sums[c], &columns[c][q], &x[q]);
         }
         y[q] = rows;
+        keep_quads();
     }
     for c in 0..N {
         y[0][c] += sum(&sums[c]) + columns[c][0][c] * own[c];

@@ -150,7 +150,7 @@ impl Factor {
     /// of its constraints would consist of rounding errors.
     fn has_pivot_of_rounding(&self) -> bool {
         let inverse = self.ldlt.inverse_pivots();
-        self.pattern.border().iter().any(|border| inverse[border.coordinate].abs() * self.rounding > 1.0)
+        self.pattern.constrained().any(|at| inverse[at].abs() * self.rounding > 1.0)
     }
 
     /// Returns the history of the current factors.

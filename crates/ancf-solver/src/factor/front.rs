@@ -2,6 +2,7 @@
 //!
 //! The functions are called within [`pulp::Arch::dispatch`] and are therefore inlined.
 
+use super::dense::keep_quads;
 use crate::sparse::{QUAD, Quad, RowRun, SupernodeShape};
 
 /// Initialises a front with the entries of K.
@@ -54,6 +55,7 @@ fn extend_add_run(
         let column = &mut front[(first + c) * shape.height..(first + c + 1) * shape.height];
         for (x, y) in column[parent_row + four..].iter_mut().zip(&update[form.column(c)]) {
             (0..QUAD).for_each(|lane| x[lane] += y[lane]);
+            keep_quads();
         }
     }
 }

@@ -6,7 +6,7 @@ use super::large_front;
 use super::substitution::{Backward, Forward, SubtractProduct, SubtreeView, add_outside, copy_outside};
 use crate::sparse::{
     MIN_SUBTREE, QUAD, Quad, Subtree, Subtrees, Supernode, SupernodeShape, Supernodes, VectorSection,
-    children, process_subtrees,
+    children, process_subtrees, with_shape,
 };
 
 /// Supernodal LDLᵀ of a symmetric matrix without pivoting, by the multifrontal method.
@@ -274,13 +274,7 @@ impl NullaryFnOnce for Factorise<'_> {
                 top,
                 updates,
             };
-            // Common shapes are repeated as constants, so that their sizes are known at compile time.
-            let done = match supernode.shape() {
-                SupernodeShape { columns: 12, height: 6 } => {
-                    work.eliminate(SupernodeShape { columns: 12, height: 6 })
-                }
-                shape => work.eliminate(shape),
-            };
+            let done = with_shape!(shape = supernode.shape(), work.eliminate(shape));
             *space_top = done;
             match done {
                 Some(now) => top = now,

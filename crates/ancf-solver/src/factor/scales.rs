@@ -1,6 +1,6 @@
 //! Equilibration D of a matrix K: D K D has entries of size one.
 
-use crate::sparse::SparseMatrix;
+use crate::sparse::{Border, SparseMatrix};
 
 /// Computes the equilibration D: the inverse root of the diagonal. For multipliers it is the inverse of the largest
 /// scaled entry, since their diagonal is zero.
@@ -28,8 +28,8 @@ pub(super) fn equilibrate(k: &SparseMatrix, d: &mut [f64], [largest, bound]: [&m
         }
     }
     let limit = 1.0 / rounding.sqrt();
-    for border in k.pattern().border() {
-        d[border.coordinate] = d[border.coordinate].min(limit);
+    for at in k.pattern().constrained() {
+        d[at] = d[at].min(limit);
     }
     scale_multipliers(k, d, largest);
     rounding
@@ -46,7 +46,7 @@ pub(super) fn match_scales(
     d: &mut [f64],
     [largest, bound]: [&mut [f64]; 2],
 ) {
-    let constrained = || k.pattern().border().iter().map(|border| border.coordinate);
+    let constrained = || k.pattern().constrained();
     let mut open = false;
     for at in constrained() {
         if k.values()[k.pattern().diagonal(at)].abs() <= rounding {
@@ -57,7 +57,7 @@ pub(super) fn match_scales(
         return;
     }
     // The multipliers get their scales at the end.
-    k.pattern().border().iter().for_each(|border| d[border.multiplier] = 1.0);
+    k.pattern().border().iter().for_each(|border| d[border.multiplier as usize] = 1.0);
     while open {
         bound_scales(k, d, [&mut *largest, &mut *bound]);
         open = false;
@@ -76,10 +76,11 @@ pub(super) fn match_scales(
 fn bound_scales(k: &SparseMatrix, d: &[f64], [largest, bound]: [&mut [f64]; 2]) {
     bound.fill(f64::INFINITY);
     largest_entries(k, d, largest);
-    for border in k.pattern().border().iter().filter(|border| d[border.coordinate] == 0.0) {
-        let (entry, others) = (k.values()[border.slot].abs(), largest[border.multiplier]);
-        if entry > 0.0 && others > 0.0 {
-            bound[border.coordinate] = bound[border.coordinate].min(others / entry);
+    for &Border { coordinate, multiplier, slot } in k.pattern().border() {
+        let (coordinate, entry, others) =
+            (coordinate as usize, k.values()[slot].abs(), largest[multiplier as usize]);
+        if d[coordinate] == 0.0 && entry > 0.0 && others > 0.0 {
+            bound[coordinate] = bound[coordinate].min(others / entry);
         }
     }
 }
@@ -97,8 +98,8 @@ fn scale_multipliers(k: &SparseMatrix, d: &mut [f64], largest: &mut [f64]) {
 /// Computes the largest entry of each multiplier, scaled by D of its coordinate.
 fn largest_entries(k: &SparseMatrix, d: &[f64], largest: &mut [f64]) {
     largest.fill(0.0);
-    for border in k.pattern().border() {
-        let entry = k.values()[border.slot].abs() * d[border.coordinate];
-        largest[border.multiplier] = largest[border.multiplier].max(entry);
+    for &Border { coordinate, multiplier, slot } in k.pattern().border() {
+        let (entry, largest) = (k.values()[slot].abs(), &mut largest[multiplier as usize]);
+        *largest = largest.max(entry * d[coordinate as usize]);
     }
 }

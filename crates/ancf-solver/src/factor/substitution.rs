@@ -2,7 +2,7 @@ use std::ops::{Deref, Range};
 
 use pulp::NullaryFnOnce;
 
-use crate::sparse::{QUAD, Quad, RowRun, Subtree, Supernode, SupernodeShape, Supernodes, VectorSection};
+use crate::sparse::{QUAD, Quad, RowRun, Subtree, Supernode, Supernodes, VectorSection, with_shape};
 
 /// View of a vector for a subtree: its own positions, and the rows below its root, stored outside. The trunk sees all.
 pub(crate) struct SubtreeView<'a, S> {
@@ -123,12 +123,7 @@ impl NullaryFnOnce for Forward<'_> {
             let (shape, l) = (supernode.shape(), self.l[supernode.values()].as_chunks().0);
             let part = &mut self.part[..shape.height];
             self.x.gather(part, supernode, runs);
-            match shape {
-                SupernodeShape { columns: 12, height: 6 } => {
-                    super::dense::forward(SupernodeShape { columns: 12, height: 6 }, l, part);
-                }
-                shape => super::dense::forward(shape, l, part),
-            }
+            with_shape!(shape = shape, super::dense::forward(shape, l, part));
             let (own, below) = part.split_at(shape.own());
             self.x.own_mut(supernode).copy_from_slice(&own.as_flattened()[..shape.columns]);
             let mut below = below.as_flattened();
@@ -163,12 +158,7 @@ impl NullaryFnOnce for Backward<'_> {
             own.zip(&self.inverse[supernode.own()]).for_each(|(x, inverse)| *x *= inverse);
             let part = &mut self.part[..shape.height];
             self.x.gather(part, supernode, runs);
-            match shape {
-                SupernodeShape { columns: 12, height: 6 } => {
-                    super::dense::backward(SupernodeShape { columns: 12, height: 6 }, l, part);
-                }
-                shape => super::dense::backward(shape, l, part),
-            }
+            with_shape!(shape = shape, super::dense::backward(shape, l, part));
             self.x.own_mut(supernode).copy_from_slice(&part.as_flattened()[..shape.columns]);
         }
     }
@@ -195,12 +185,7 @@ impl NullaryFnOnce for SubtractProduct<'_> {
             let (part, product) = (&mut self.parts.0[..shape.height], &mut self.parts.1[..shape.height]);
             self.x.gather(part, supernode, runs);
             product.fill([0.0; QUAD]);
-            match shape {
-                SupernodeShape { columns: 12, height: 6 } => {
-                    super::dense::multiply(SupernodeShape { columns: 12, height: 6 }, k, part, product);
-                }
-                shape => super::dense::multiply(shape, k, part, product),
-            }
+            with_shape!(shape = shape, super::dense::multiply(shape, k, part, product));
             let (own, below) = product.split_at(shape.own());
             let subtract = |r: &mut [f64], y: &[f64]| r.iter_mut().zip(y).for_each(|(r, y)| *r -= y);
             subtract(self.r.own_mut(supernode), own.as_flattened());

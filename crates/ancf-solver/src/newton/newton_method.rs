@@ -292,18 +292,18 @@ impl Newton {
         let may_be_zero = progress.stagnant > 0 || is_last || progress.is_exhausted();
         let largest = self.energy;
         let is_zero = |newton: &mut Self| {
-            let is_noise = newton.at(eom, s).is_rounding(largest)
-                || newton.at(eom, s).is_increment_of_rounding(progress.recent());
-            // The energy does not see motions without forces. Their gaps close until they are rounding errors.
-            let gap = norm(&newton.r[s.q.len()..]);
-            is_noise
-                && (progress.gap.is_some_and(|least| gap >= 0.5 * least)
-                    || newton.at(eom, s).has_closed_gaps())
+            newton.at(eom, s).is_rounding(largest)
+                || newton.at(eom, s).is_increment_of_rounding(progress.recent())
         };
         let is_at_rest = |newton: &Self| {
             progress.last.is_some_and(|last| newton.is_at_rest(last.max(eom.energy(s).largest())))
         };
-        if is_floor || (may_be_zero && (is_zero(self) || is_at_rest(self))) {
+        // The energy does not see motions without forces. In statics their gaps close until they are rounding errors.
+        let gap = norm(&self.r[s.q.len()..]);
+        let is_closed = |newton: &mut Self| {
+            progress.gap.is_none_or(|least| gap >= 0.5 * least) || newton.at(eom, s).has_closed_gaps()
+        };
+        if is_floor || (may_be_zero && (is_at_rest(self) || is_zero(self)) && is_closed(self)) {
             return ControlFlow::Break(Ok(NewtonReport { floor: true, ..report }));
         }
         if progress.stagnant >= self.stagnation_limit {

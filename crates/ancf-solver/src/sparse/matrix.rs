@@ -70,6 +70,28 @@ impl SparseMatrix {
         }
     }
 
+    /// Multiplies the rows and columns of the unknowns by scales.
+    pub(crate) fn scale(&mut self, scales: &[f64]) {
+        let pattern = Arc::clone(&self.pattern);
+        let (supernodes, order) = (pattern.supernodes(), pattern.order());
+        for (at, supernode) in supernodes.list.iter().enumerate() {
+            let (shape, values) = (supernode.shape(), &mut self.values[supernode.values()]);
+            for (column, j) in supernode.own().enumerate() {
+                let of_column = scales[order[j] as usize];
+                let mut part = |positions: Range<usize>, from: usize| {
+                    let rows = values[from..].iter_mut().zip(&order[positions]);
+                    rows.for_each(|(value, &i)| *value *= of_column * scales[i as usize]);
+                };
+                part(j..supernode.own().end, shape.at(column, column));
+                let mut from = shape.at(QUAD * shape.own(), column);
+                for run in supernodes.runs(at) {
+                    part(run.positions(), from);
+                    from += run.positions().len();
+                }
+            }
+        }
+    }
+
     /// Returns the diagonal entry of an unknown.
     pub fn diagonal_of(&self, unknown: usize) -> f64 {
         self.values[self.pattern.diagonal(self.pattern.position(unknown))]
@@ -77,7 +99,7 @@ impl SparseMatrix {
 
     /// Returns the entries of Φ_q: multiplier (numbered after the coordinates), coordinate, value.
     pub fn constraints(&self) -> impl Iterator<Item = (usize, usize, f64)> {
-        let unknown = |at: usize| self.pattern.unknown(at);
+        let unknown = |at: u32| self.pattern.unknown(at as usize);
         let border = self.pattern.border().iter();
         border.map(move |b| (unknown(b.multiplier), unknown(b.coordinate), self.values[b.slot]))
     }

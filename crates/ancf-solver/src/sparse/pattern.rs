@@ -24,6 +24,8 @@ pub struct Pattern {
     supernodes: Supernodes,
     /// Entries that couple multipliers with coordinates.
     border: Vec<Border>,
+    /// Positions of the coordinates of the border in ascending order.
+    constrained: Vec<u32>,
     /// Positions of massless coordinates.
     massless: Vec<usize>,
     /// Positions of undetermined multipliers in ascending order.
@@ -34,9 +36,9 @@ pub struct Pattern {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Border {
     /// Position of the coordinate.
-    pub(crate) coordinate: usize,
+    pub(crate) coordinate: u32,
     /// Position of the multiplier.
-    pub(crate) multiplier: usize,
+    pub(crate) multiplier: u32,
     /// Index among the values of a matrix.
     pub(crate) slot: usize,
 }
@@ -62,29 +64,25 @@ impl Pattern {
         let supernode_of = of.flat_map(|(supernode, at)| supernode.own().map(move |_| at)).collect();
         let late = massless.iter().flat_map(|(late, _)| late.iter());
         let massless = late.map(|&coordinate| position[coordinate] as usize).collect();
-        let (border, shared) = (Vec::new(), Vec::new());
-        let pattern = Self { position, order, supernode_of, supernodes, border, massless, shared };
-        Self { border: pattern.borders(coordinates, blocks), ..pattern }
+        let (border, constrained, shared) = (Vec::new(), Vec::new(), Vec::new());
+        Self { position, order, supernode_of, supernodes, border, constrained, massless, shared }
     }
 
-    /// Returns the entries of the blocks that couple a multiplier with a coordinate.
-    fn borders(&self, coordinates: usize, blocks: &IndexLists) -> Vec<Border> {
-        let mut borders = Vec::new();
-        for block in blocks.iter() {
-            let unknowns = || block.iter().map(|&unknown| unknown as usize);
-            for multiplier in unknowns().filter(|&unknown| unknown >= coordinates) {
-                borders.extend(unknowns().filter(|&unknown| unknown < coordinates).map(|coordinate| {
-                    Border {
-                        coordinate: self.position(coordinate),
-                        multiplier: self.position(multiplier),
-                        slot: self.slot(coordinate, multiplier),
-                    }
-                }));
-            }
-        }
-        borders.sort_unstable_by_key(|border| border.slot);
-        borders.dedup();
-        borders
+    /// Sets the entries that couple a coordinate with a multiplier, both as unknowns.
+    #[must_use]
+    pub(crate) fn with_border(self, entries: impl Iterator<Item = [usize; 2]>) -> Self {
+        let entry = |[coordinate, multiplier]: [usize; 2]| Border {
+            coordinate: self.position[coordinate],
+            multiplier: self.position[multiplier],
+            slot: self.slot(coordinate, multiplier),
+        };
+        let mut border: Vec<Border> = entries.map(entry).collect();
+        border.sort_unstable_by_key(|border| border.slot);
+        border.dedup();
+        let mut constrained: Vec<u32> = border.iter().map(|border| border.coordinate).collect();
+        constrained.sort_unstable();
+        constrained.dedup();
+        Self { border, constrained, ..self }
     }
 
     /// Marks unknowns as multipliers that the equations leave undetermined ([`Factor`](crate::factor::Factor)).
@@ -136,6 +134,11 @@ impl Pattern {
     /// Returns the entries that couple multipliers with coordinates.
     pub(crate) fn border(&self) -> &[Border] {
         &self.border
+    }
+
+    /// Returns the positions of the coordinates that are coupled with multipliers.
+    pub(crate) fn constrained(&self) -> impl Iterator<Item = usize> {
+        self.constrained.iter().map(|&at| at as usize)
     }
 
     /// Returns the position of an unknown in the order of elimination.

@@ -70,6 +70,31 @@ impl SupernodeShape {
     }
 }
 
+/// Evaluates an expression for a shape. Common shapes are repeated with constant sizes, so that loops have known lengths.
+///
+/// They are nodes of a beam (12 coordinates, 12 rows below), and the two parts of a rigid body on a hinge: its centre with the
+/// position of the hinge, and its directors with the other constraints (9 to 12 rows below).
+macro_rules! with_shape {
+    ($shape:ident = $of:expr, $evaluate:expr) => {
+        match $of {
+            $crate::sparse::SupernodeShape { columns: 12, height: 6 } => {
+                let $shape = $crate::sparse::SupernodeShape { columns: 12, height: 6 };
+                $evaluate
+            }
+            $crate::sparse::SupernodeShape { columns: 6, height: 5 } => {
+                let $shape = $crate::sparse::SupernodeShape { columns: 6, height: 5 };
+                $evaluate
+            }
+            $crate::sparse::SupernodeShape { columns: 17, height: 8 } => {
+                let $shape = $crate::sparse::SupernodeShape { columns: 17, height: 8 };
+                $evaluate
+            }
+            $shape => $evaluate,
+        }
+    };
+}
+pub(crate) use with_shape;
+
 /// Block column of a matrix and its factor: neighbouring unknowns that are eliminated together.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Supernode {

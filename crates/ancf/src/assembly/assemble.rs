@@ -1,3 +1,4 @@
+use ancf_mechanics::batches::term_batches;
 use ancf_mechanics::bodies::BodyTerms;
 use std::collections::BTreeSet;
 
@@ -17,12 +18,7 @@ impl IndexedModel<'_> {
     pub(crate) fn assembled(&self, time_mode: TimeMode) -> Result<Assembly, ModelErrors> {
         let bodies = self.meshes();
         let joints = self.joint_equations(&bodies, time_mode);
-        let (mut terms, mut batches): (Vec<Box<dyn Term>>, Vec<_>) = Default::default();
-        for (_, body) in &bodies {
-            let first = terms.len();
-            batches.extend(body.batches().into_iter().map(|(at, batch)| (first + at, batch)));
-            terms.extend(body.terms());
-        }
+        let mut terms: Vec<Box<dyn Term>> = bodies.iter().flat_map(|(_, body)| body.terms()).collect();
         let first_joint = terms.len();
         let mut nodal = Vec::new();
         for (joint, equations) in self.joints.iter().zip(&joints) {
@@ -49,6 +45,7 @@ impl IndexedModel<'_> {
         let recorded_quantities = recorded.collect();
         let [coordinates, multipliers] = Self::numbers(&bodies, &joints);
         let multipliers = multipliers + self.couplings.len();
+        let batches = term_batches(&terms);
         let system = System::new(coordinates, multipliers, terms).with_batches(batches);
         let (breaks, inputs) = (self.breaks(time_mode), self.inputs(&bodies, time_mode));
         let couplings = self.couplings.iter().map(|coupling| coupling.name.clone()).collect();

@@ -58,6 +58,11 @@ impl<'a> GapField<'a> {
         })
     }
 
+    /// Prepares gaps of single elements ([`gaps_at`](Self::gaps_at)).
+    pub(super) fn unevaluated(model: &'a Model, assembly: &'a Assembly, state: &'a State) -> Self {
+        Self::with(model, assembly, state, |_, _, _| None)
+    }
+
     /// `gaps` returns the gaps at the end and in the middle of an element.
     fn with(
         model: &'a Model,
@@ -124,19 +129,29 @@ impl<'a> GapField<'a> {
         self.bodies.get(number)?.as_ref()
     }
 
+    /// True if loads or contacts act between the nodes of an element.
+    pub(super) fn has_loads(&self, body: usize, element: usize) -> bool {
+        !self.assembly.loads_within(body, element, &self.contacts).is_empty()
+    }
+
     /// Gap between the rod and an element at ξ.
     pub(super) fn gap_at(&self, body: usize, element: usize, xi: f64) -> Option<RodGap> {
         self.gaps_at(body, element, [xi]).map(|[gap]| gap)
     }
 
     /// Gaps between the rod and an element at places ξ.
-    fn gaps_at<const N: usize>(&self, body: usize, element: usize, xi: [f64; N]) -> Option<[RodGap; N]> {
+    pub(super) fn gaps_at<const N: usize>(
+        &self,
+        body: usize,
+        element: usize,
+        xi: [f64; N],
+    ) -> Option<[RodGap; N]> {
         let BodyGaps { mesh, sections, .. } = self.body(body)?;
         let loads = self.assembly.loads_within(body, element, &self.contacts);
         let l = mesh.element_length();
         let s = element as f64 * l;
-        let frame =
-            mesh.frame(s).map_or_else(Matrix3::identity, |frame| Matrix3::from_columns(frame.reference()));
+        let frame = mesh.frame(s).filter(|_| sections.is_curved());
+        let frame = frame.map_or_else(Matrix3::identity, |frame| Matrix3::from_columns(frame.reference()));
         let section = |xi: f64| -> RodSection { sections.at(s, l, &frame, xi) };
         Some(mesh.rod_gaps(self.state, element, xi, &loads, &section))
     }
@@ -173,17 +188,55 @@ impl<'a> GapField<'a> {
                 rows: Vec::with_capacity(length * body.mesh.count()),
             };
             for (element, gap) in body.gaps.iter().enumerate() {
-                let loads = self.assembly.loads_within(number, element, &self.contacts);
-                body.mesh.add_gap_forces(self.state, element, gap, &loads, &mut own);
-                let first = body.mesh.first_coordinate_of(element);
-                parts[number].rows.extend_from_slice(&own[first..first + length]);
-                let of_loads = loads.iter().flat_map(|load| load.coordinates().iter().copied());
-                for place in (first..first + length).chain(of_loads) {
-                    total[place] += std::mem::take(&mut own[place]);
-                }
+                let rows = &mut parts[number].rows;
+                let end = rows.len() + length;
+                self.visit_forces((number, element), gap, &mut own, |place, force| {
+                    total[place] += force;
+                    if rows.len() < end {
+                        rows.push(force);
+                    }
+                });
             }
         }
         GapForces { total, parts }
+    }
+
+    /// Work of the forces that impose a gap on a movement of an element. `own` has zeros for all unknowns.
+    pub(super) fn work(
+        &self,
+        (number, element): (usize, usize),
+        gap: &RodGap,
+        movement: &[f64],
+        own: &mut [f64],
+    ) -> f64 {
+        let (mut work, mut rows) =
+            (0.0, self.assembly.body_of(number).mesh().map_or(0, |mesh| mesh.coordinates_of(element)));
+        self.visit_forces((number, element), gap, own, |place, force| {
+            if rows > 0 {
+                work += force * movement[place];
+                rows -= 1;
+            }
+        });
+        work
+    }
+
+    /// Visits the forces that impose a gap: those on the coordinates of the element in ascending order, then those on other unknowns of
+    /// its loads. `own` has zeros for all unknowns before and after.
+    fn visit_forces(
+        &self,
+        (number, element): (usize, usize),
+        gap: &RodGap,
+        own: &mut [f64],
+        mut visit: impl FnMut(usize, f64),
+    ) {
+        let Some(BodyGaps { mesh, .. }) = self.body(number) else { return };
+        let loads = self.assembly.loads_within(number, element, &self.contacts);
+        mesh.add_gap_forces(self.state, element, gap, &loads, own);
+        let first = mesh.first_coordinate_of(element);
+        let of_loads = loads.iter().flat_map(|load| load.coordinates().iter().copied());
+        for place in (first..first + mesh.coordinates_of(element)).chain(of_loads) {
+            visit(place, std::mem::take(&mut own[place]));
+        }
     }
 }
 

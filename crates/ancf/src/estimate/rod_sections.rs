@@ -46,6 +46,11 @@ impl<'a> RodSections<'a> {
         Some(sections)
     }
 
+    /// True if the sections depend on a reference frame.
+    pub(super) fn is_curved(&self) -> bool {
+        self.curve.is_some()
+    }
+
     /// Section at a fraction of the length, straight.
     fn section(&self, part: f64) -> RodSection {
         let section = self.model.section_at(self.body, part).expect("a flexible body has a section");

@@ -27,6 +27,10 @@ const LARGE_FACTOR: f64 = 1e9;
 const NO_CRITICAL_LOAD: &str = "there is no critical load factor: the loads do not soften the structure in this direction, beyond \
     rounding errors";
 
+/// Warning of modes whose number is not verified.
+const UNVERIFIED: &str = "the number of modes is not verified: the inertia of the shifted stiffness is not known beyond rounding errors. \
+    Frequencies may be missing";
+
 /// Columns of the solver for modes.
 pub(crate) const MODE_COLUMNS: [&str; 4] = ["frequency", "squared", "residual", "frequency_error"];
 /// Columns of the solver for buckling.
@@ -151,6 +155,9 @@ impl AnalysisRun<'_> {
                     self.estimate(model, &about, &mut found.modes);
                 }
                 self.summary.warnings.extend(self.held_but_zero(&about, found.rigid));
+                if found.sturm.is_none() && !found.is_nonconservative && !found.modes.is_empty() {
+                    self.summary.warnings.push(UNVERIFIED.to_owned());
+                }
                 let counted = |sturm: SturmCount| EigenvalueCount::new(sturm, rate * rate);
                 self.summary.eigenvalues = found.sturm.map(counted);
                 let flutter = |(k, mode): (usize, &FoundMode)| mode.flutter_text(k + 1, rate);
@@ -197,6 +204,9 @@ impl AnalysisRun<'_> {
 
     /// Warns of zero frequencies beyond the rigid-body motions that the geometry leaves free.
     fn held_but_zero(&self, s: &State, zeros: usize) -> Option<String> {
+        if zeros == 0 {
+            return None;
+        }
         let free = self.assembly.free_motions(s)?.len();
         (zeros > free).then(|| {
             format!(

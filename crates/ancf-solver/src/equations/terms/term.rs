@@ -1,10 +1,12 @@
+use std::any::Any;
 use std::ops::Range;
 
 use super::energy::{Energy, Level, Power};
 use super::local::{LOCAL, Local, LocalMatrix, LocalStep};
+use super::product_column::ProductColumn;
 use super::state::{Inadmissibility, Weights};
 
-/// Local contribution to the equations of motion, such as an element, one equation of a joint or a load.
+/// Local contribution to the equations of motion, such as an element, the equations of a joint or a load.
 ///
 /// A term is immutable. Its contribution depends only on its own coordinates and multipliers. The test `tests/laws.rs`
 /// checks the consistency of every term: tangent = ∂residual, residual = ∂energy.
@@ -36,7 +38,7 @@ use super::state::{Inadmissibility, Weights};
 ///     }
 /// }
 /// ```
-pub trait Term: Send + Sync {
+pub trait Term: Any + Send + Sync {
     /// Returns the coordinates of the term without repetition.
     fn coordinates(&self) -> &[usize];
 
@@ -54,12 +56,16 @@ pub trait Term: Send + Sync {
     /// Adds the lower triangle of the tangent.
     fn tangent(&self, at: &Local<'_>, w: Weights, k: &mut LocalMatrix<'_>);
 
-    /// Returns the first coordinate, in local order, of each position vector.
+    /// Adds the products of the stiffness ∂(f + Φ_qᵀ λ)/∂q with columns, and bounds of their rounding errors.
     ///
-    /// A common translation of these vectors must not change the elastic forces. Products with the stiffness use this to
-    /// avoid cancellation.
-    fn positions(&self) -> &[usize] {
-        &[]
+    /// By default these are products with the tangent. The entries of a bending element of length h grow as 1/h³, its share of
+    /// xᵀ K x as h, so that the rounding error of the default is ε (L/h)⁴ relative to the lowest ω². Elements override this method
+    /// by products with the strains of x, which are free of cancellation.
+    fn stiffness_products(&self, at: &Local<'_>, columns: &mut [ProductColumn]) {
+        let mut storage = [0.0; LOCAL * (LOCAL + 1) / 2];
+        let mut k = LocalMatrix::zero(at.q.len() + at.lambda.len(), &mut storage);
+        self.tangent(at, Weights::STIFFNESS, &mut k);
+        columns.iter_mut().for_each(|column| column.add_matrix(&k, at.q.len()));
     }
 
     /// Adds the residual of a step of the energy-momentum scheme: forces of the step, and the constraints at its end.
@@ -99,6 +105,12 @@ pub trait Term: Send + Sync {
     /// Terms with other constraints override this method.
     fn constraints(&self, at: &Local<'_>, level: Level, phi: &mut [f64]) {
         quadratic_constraints(self, at, level, phi);
+    }
+
+    /// Returns the entries (k, i) of Φ_q that can differ from zero: k-th multiplier and i-th coordinate. By default all.
+    fn constraint_entries(&self) -> Vec<[usize; 2]> {
+        let n = self.coordinates().len();
+        (0..self.multipliers().len()).flat_map(|k| (0..n).map(move |i| [k, i])).collect()
     }
 
     /// Returns a description of the k-th constraint, such as "position along x".

@@ -1,7 +1,7 @@
 use std::fmt;
 use std::ops::Range;
 
-use ancf_mechanics::constraints::{CoincidenceConstraint, Wrench};
+use ancf_mechanics::constraints::{CoincidenceConstraint, ConstraintGroup, Wrench};
 use ancf_solver::equations::{State, Term};
 use nalgebra::Vector3;
 
@@ -76,10 +76,18 @@ impl JointEquations {
         self.position.as_ref().map_or_else(Vector3::zeros, CoincidenceConstraint::gap)
     }
 
-    /// Terms of the joint, in the order of their multipliers.
+    /// Terms of the joint. Quadratic constraints with consecutive multipliers are one term.
     pub(crate) fn terms(&self) -> impl Iterator<Item = Box<dyn Term>> {
-        let position = self.position.iter().map(JointTerm::boxed);
-        position.chain(self.parts.iter().map(|part| part.term.boxed()))
+        let position = self.position.iter().map(|position| position as &dyn JointTerm);
+        let (mut grouped, mut others) = (Vec::new(), Vec::new());
+        for term in position.chain(self.parts.iter().map(|part| &*part.term)) {
+            match term.grouped() {
+                Some(constraint) => grouped.push(constraint),
+                None => others.push(term.boxed()),
+            }
+        }
+        let groups = ConstraintGroup::groups(grouped).into_iter();
+        groups.map(|group| Box::new(group) as Box<dyn Term>).chain(others)
     }
 
     /// Force and moment that the joint exerts on its end `a`.

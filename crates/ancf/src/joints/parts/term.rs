@@ -1,6 +1,6 @@
 use ancf_mechanics::constraints::{
-    CoincidenceConstraint, ConstantAngle, HingeAngle, LinearConstraint, MeasureConstraint, RotationDrive,
-    SectionDrive, SlideConstraint, TwistAngle, Wrench,
+    CoincidenceConstraint, ConstantAngle, GroupedConstraint, HingeAngle, LinearConstraint, MeasureConstraint,
+    RotationDrive, SectionDrive, SlideConstraint, TwistAngle, Wrench,
 };
 use ancf_mechanics::forces::{Friction, Spring, Strut, SwingSpring};
 use ancf_solver::equations::{State, Term};
@@ -12,10 +12,15 @@ pub trait JointTerm: Term {
 
     /// Copies the term for the system of equations.
     fn boxed(&self) -> Box<dyn Term>;
+
+    /// Copies the term as a part of one term with other constraints of the joint, if it is a quadratic constraint.
+    fn grouped(&self) -> Option<GroupedConstraint> {
+        None
+    }
 }
 
 macro_rules! joint_terms {
-    ($($term:ty),* $(,)?) => {
+    ($($term:ty $(: $grouped:path)?),* $(,)?) => {
         $(impl JointTerm for $term {
             fn reaction(&self, s: &State) -> Wrench {
                 Self::reaction(self, s)
@@ -24,8 +29,26 @@ macro_rules! joint_terms {
             fn boxed(&self) -> Box<dyn Term> {
                 Box::new(self.clone())
             }
+
+            $(fn grouped(&self) -> Option<GroupedConstraint> {
+                $grouped(self)
+            })?
         })*
     };
 }
 
-joint_terms! { HingeAngle, LinearConstraint, CoincidenceConstraint, RotationDrive, SectionDrive, Friction, ConstantAngle, SlideConstraint, Spring, Strut, SwingSpring, TwistAngle, MeasureConstraint }
+joint_terms! {
+    CoincidenceConstraint: Self::grouped,
+    ConstantAngle: Self::grouped,
+    MeasureConstraint: Self::grouped,
+    Friction,
+    HingeAngle,
+    LinearConstraint,
+    RotationDrive,
+    SectionDrive,
+    SlideConstraint,
+    Spring,
+    Strut,
+    SwingSpring,
+    TwistAngle,
+}

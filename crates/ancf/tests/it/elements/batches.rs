@@ -1,15 +1,18 @@
-//! Batches of elements (SIMD lanes) agree with single elements to rounding, for all kinds of elements.
+//! Batches of terms (SIMD lanes) agree with single terms to rounding, for all kinds of elements, rigid bodies and joints.
 //!
 //! A body has a full and a partial batch.
 
+use std::sync::Arc;
+
 use ancf::Model;
+use ancf::mechanics::batches::term_batches;
 use ancf::mechanics::bodies::BeamMesh;
 use ancf::model::{Body, Cable, Damping, InitialMotion, MaterialLaw, Section, Slopes};
-use ancf::solver::equations::{Batch, Energy, LANES, Lanes, LocalLanes, Power, Term, Weights};
+use ancf::solver::equations::{Batch, Energy, LANES, Lanes, Level, LocalLanes, Power, Term, Weights};
 use nalgebra::{DMatrix, DVector, Vector3};
 
 use crate::common::models::beams::{BeamCase, beam_cases};
-use crate::common::models::rod;
+use crate::common::models::{parse, rod};
 use crate::common::random::Random;
 use crate::common::sample::{Sample, residual, tangent};
 
@@ -17,17 +20,68 @@ use crate::common::sample::{Sample, residual, tangent};
 const ELEMENTS: u32 = 11;
 const TOLERANCE: f64 = 1e-13;
 
-/// Elements of a body and their batches, each with the index of its first element.
+/// Terms and their batches, each with the indices of its terms.
 struct BatchCase {
     name: String,
-    terms: Vec<Box<dyn Term>>,
-    batches: Vec<(usize, Box<dyn Batch>)>,
+    terms: Vec<Arc<dyn Term>>,
+    batches: Vec<(Vec<usize>, Box<dyn Batch>)>,
+}
+
+impl BatchCase {
+    fn new(name: String, terms: impl IntoIterator<Item = Arc<dyn Term>>) -> Self {
+        let terms: Vec<Arc<dyn Term>> = terms.into_iter().collect();
+        Self { name, batches: term_batches(&terms), terms }
+    }
 }
 
 fn case(name: String, model: &Model) -> BatchCase {
     let assembly = model.assemble().unwrap();
     let mesh: &BeamMesh = assembly.mesh("rod").unwrap();
-    BatchCase { name, terms: mesh.terms(), batches: mesh.batches() }
+    BatchCase::new(name, mesh.terms().into_iter().map(Arc::from))
+}
+
+/// Rigid bodies and point masses in a row, with joints of a kind to the next body and to the ground, at oblique places.
+fn jointed(name: &str, joint: &str) -> BatchCase {
+    let mut text = String::from("gravity = [0.3, -2.0, 0.7]\nbodies = [\n");
+    for k in 0..ELEMENTS {
+        let (x, more) = (f64::from(k), 0.1 * f64::from(k % 3));
+        text += &format!(
+            "  {{ kind = \"rigid\", name = \"b{k}\", center = [{x}, {more}, 0.2], mass = {}, \
+             inertia = [{}, 1.5, 1.8], products = [0.1, {more}, -0.3] }},\n  \
+             {{ kind = \"mass\", name = \"m{k}\", center = [{x}, 1, 0], mass = 2 }},\n",
+            3.0 + more,
+            2.0 + more
+        );
+    }
+    text += "]\njoints = [\n";
+    for k in 0..ELEMENTS {
+        let at = format!("[{}, 0.3, 0.4]", f64::from(k) + 0.45);
+        let next = k + 1;
+        let end = if next < ELEMENTS {
+            format!(", b = {{ body = \"b{next}\", at = {at} }}")
+        } else {
+            String::new()
+        };
+        text += &format!("  {{ name = \"j{k}\", a = {{ body = \"b{k}\", at = {at} }}{end}, {joint} }},\n");
+    }
+    text += "]\nanalysis = { kind = \"dynamics\", duration = 1, step = 1e-3 }\n";
+    BatchCase::new(name.to_owned(), parse(&text).assemble().unwrap().system.terms().iter().cloned())
+}
+
+/// Rigid bodies with joints of all kinds that have quadratic constraints.
+fn joints() -> impl Iterator<Item = BatchCase> {
+    let axis = "axis = [0.48, 0.6, -0.64]";
+    let kinds = [
+        ("clamp", "kind = \"clamp\"".to_owned()),
+        ("hinge", format!("kind = \"revolute\", {axis}")),
+        ("hinge along x", "kind = \"revolute\", axis = [1, 0, 0]".to_owned()),
+        ("ball joint", "kind = \"spherical\"".to_owned()),
+        ("universal joint", "kind = \"universal\", axis_a = [0.6, 0.8, 0], axis_b = [0, 0, 1]".to_owned()),
+        ("cylindrical joint", format!("kind = \"cylindrical\", {axis}")),
+        ("prismatic joint", format!("kind = \"prismatic\", {axis}")),
+        ("planar joint", "kind = \"planar\", normal = [0.48, 0.6, -0.64]".to_owned()),
+    ];
+    kinds.into_iter().map(|(name, joint)| jointed(name, &joint))
 }
 
 /// Beams of all kinds except neo-Hookean ones: undamped, with strain damping, with strain and mass damping.
@@ -75,51 +129,55 @@ fn cables(gravity: Vector3<f64>) -> Vec<BatchCase> {
 }
 
 /// Random states of the terms of a batch.
-fn states(terms: &[Box<dyn Term>], random: &mut Random) -> Vec<Sample> {
+fn states(terms: &[Arc<dyn Term>], random: &mut Random) -> Vec<Sample> {
     terms.iter().map(|term| Sample::random(term.as_ref(), random)).collect()
 }
 
 /// States in lanes. Lanes without a term repeat the last state.
-struct Gathered([Vec<Lanes>; 3]);
+struct Gathered([Vec<Lanes>; 4]);
 
 impl Gathered {
     fn new(states: &[Sample]) -> Self {
         let of = |x: fn(&Sample) -> &DVector<f64>| {
             let lane = |i: usize| Lanes(std::array::from_fn(|l| x(&states[l.min(states.len() - 1)])[i]));
-            (0..states[0].q.len()).map(lane).collect()
+            (0..x(&states[0]).len()).map(lane).collect()
         };
-        Self([of(|s| &s.q), of(|s| &s.v), of(|s| &s.a)])
+        Self([of(|s| &s.q), of(|s| &s.v), of(|s| &s.a), of(|s| &s.lambda)])
     }
 
     /// View at the load factor of [`Sample::local`].
     fn at(&self) -> LocalLanes<'_> {
-        let [q, v, a] = &self.0;
-        LocalLanes { q, v, a, load: 0.7 }
+        let [q, v, a, lambda] = &self.0;
+        LocalLanes { q, v, a, lambda, load: 0.7 }
     }
 }
 
 fn batch_residual(batch: &dyn Batch, at: &LocalLanes<'_>) -> Vec<Lanes> {
-    let mut rows = vec![Lanes::default(); at.q.len()];
+    let mut rows = vec![Lanes::default(); at.q.len() + at.lambda.len()];
     batch.residual(at, &mut rows);
     rows
 }
 
 fn batch_tangent(batch: &dyn Batch, at: &LocalLanes<'_>, w: Weights, lane: usize) -> DMatrix<f64> {
-    let n = at.q.len();
-    let mut lower = vec![Lanes([f64::NAN; LANES]); n * (n + 1) / 2];
-    batch.tangent(at, w, &mut lower);
-    let place = |i: usize, j: usize| j * n - j * (j + 1) / 2 + i;
-    DMatrix::from_fn(n, n, |i, j| {
-        let at = if i >= j { place(i, j) } else { place(j, i) };
-        lower[at].0[lane]
-    })
+    let n = at.q.len() + at.lambda.len();
+    let lower = || (0..n as u8).flat_map(|j| (j..n as u8).map(move |i| [i, j])).collect();
+    let entries = batch.entries().map_or_else(lower, <[[u8; 2]]>::to_vec);
+    let mut values = vec![Lanes([f64::NAN; LANES]); entries.len()];
+    batch.tangent(at, w, &mut values);
+    let mut matrix = DMatrix::zeros(n, n);
+    for ([i, j], value) in entries.iter().map(|entry| entry.map(usize::from)).zip(values) {
+        matrix[(i, j)] = value.0[lane];
+        matrix[(j, i)] = value.0[lane];
+    }
+    matrix
 }
 
-fn each_batch(case: &BatchCase, mut visit: impl FnMut(&[Box<dyn Term>], &dyn Batch)) {
+fn each_batch(case: &BatchCase, mut visit: impl FnMut(&[Arc<dyn Term>], &dyn Batch)) {
     let count: usize = case.batches.iter().map(|(_, batch)| batch.count()).sum();
     assert_eq!(count, case.terms.len(), "{}: every term is in a batch", case.name);
-    for (first, batch) in &case.batches {
-        visit(&case.terms[*first..first + batch.count()], batch.as_ref());
+    for (terms, batch) in &case.batches {
+        let terms: Vec<_> = terms.iter().map(|&term| Arc::clone(&case.terms[term])).collect();
+        visit(&terms, batch.as_ref());
     }
 }
 
@@ -142,6 +200,14 @@ fn assert_same(case: &BatchCase, random: &mut Random, amplitude: f64) {
             let found = DVector::from_fn(rows.len(), |i, _| rows[i].0[lane]);
             let error = (&found - &expected).amax() / expected.amax();
             assert!(error <= TOLERANCE, "{name}: force of lane {lane}: {error:e}");
+            for level in [Level::Position, Level::Velocity, Level::Acceleration] {
+                let m = at.lambda.len();
+                let (mut found, mut expected) = (vec![Lanes::default(); m], DVector::zeros(m));
+                batch.constraints(&at, level, &mut found);
+                term.constraints(&s.local(), level, expected.as_mut_slice());
+                let error = (DVector::from_fn(m, |k, _| found[k].0[lane]) - &expected).amax();
+                assert!(error <= 10.0 * TOLERANCE, "{name}: {level:?} of lane {lane}: {error:e}");
+            }
             energy += term.energy(&s.local());
             power += term.power(&s.local());
         }
@@ -187,14 +253,23 @@ fn cable_batches_equal_single_cables() {
     }
 }
 
+#[test]
+fn batches_of_rigid_bodies_and_joints_equal_single_terms() {
+    let mut random = Random(1687);
+    for case in joints() {
+        assert_same(&case, &mut random, 1.0);
+    }
+}
+
 /// Both evaluations find the same inverted element (det J <= 0) first.
 #[test]
 fn batches_find_the_first_inverted_element() {
     let mut random = Random(7);
-    for case in beams(Vector3::zeros()) {
+    for case in beams(Vector3::zeros()).chain(joints().take(1)) {
         each_batch(&case, |terms, batch| {
             let mut states = states(terms, &mut random);
-            states.iter_mut().for_each(|s| s.q *= 0.2);
+            let amplitude = if terms[0].multipliers().is_empty() { 0.2 } else { 1.0 };
+            states.iter_mut().for_each(|s| s.q *= amplitude);
             let inverted =
                 terms.iter().zip(&states).position(|(term, s)| term.inadmissibility(&s.local()).is_some());
             assert_eq!(batch.inadmissible(&Gathered::new(&states).at()), inverted, "{}", case.name);

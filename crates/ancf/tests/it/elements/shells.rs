@@ -34,7 +34,7 @@ fn coordinates(mesh: &ShellMesh, field: impl Fn(f64, f64) -> [Vector3<f64>; 4]) 
             let values = field(u * SIDES[0], v * SIDES[1]);
             [0, 1, 2, 3].map(|k| values[k] * scale[k])
         })
-        .flat_map(|x| <[f64; 3]>::from(x))
+        .flat_map(<[f64; 3]>::from)
         .collect()
 }
 

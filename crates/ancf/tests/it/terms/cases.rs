@@ -83,10 +83,10 @@ fn external() -> TermCase {
 /// Rigid body and point mass.
 fn rigid_bodies(gravity: Vector3<f64>) -> impl Iterator<Item = TermCase> {
     let inertia = Matrix3::new(2.0, 0.1, 0.2, 0.1, 1.5, -0.3, 0.2, -0.3, 1.8);
-    let rigid = RigidBody::new([0, 5], Vector3::new(0.3, 0.2, 0.1), 3.0, inertia, gravity).terms();
-    let point = RigidBody::point(0, Vector3::x(), 3.0, gravity).terms();
-    rigid.into_iter().chain(point).enumerate().map(|(k, term)| TermCase {
-        name: format!("rigid body, term {k}"),
+    let rigid = RigidBody::new([0, 5], Vector3::new(0.3, 0.2, 0.1), 3.0, inertia, gravity).term();
+    let point = RigidBody::point(0, Vector3::x(), 3.0, gravity).term();
+    [("rigid body", rigid), ("point mass", point)].into_iter().map(|(name, term)| TermCase {
+        name: name.to_owned(),
         term,
         kind: TermKind::Polynomial,
     })

@@ -1,14 +1,20 @@
 //! Two bodies with constraints and loads.
 
 use ancf::mechanics::bodies::{BeamMesh, MeshParameters};
-use ancf::mechanics::constraints::{CoincidenceConstraint, ConstantAngle, RotationDrive};
+use ancf::mechanics::constraints::{
+    BilinearMeasure, CoincidenceConstraint, ConstantAngle, ConstraintGroup, GroupedConstraint,
+    MeasureConstraint, MeasureFactor, RotationDrive,
+};
 use ancf::mechanics::elements::{BeamMaterial, TwoNodeLaw};
 use ancf::mechanics::forces::Force;
 use ancf::mechanics::functions::Function;
 use ancf::mechanics::kinematics::{Marker, ReferenceNode};
 use ancf::model::{Material, Section};
 use ancf::solver::equations::Term;
-use nalgebra::{Rotation3, Vector3};
+use nalgebra::{DVector, Rotation3, Vector3};
+
+use crate::common::random::Random;
+use crate::common::sample::{Sample, residual};
 
 /// Length of an element.
 const LENGTH: f64 = 0.7;
@@ -78,6 +84,53 @@ pub(super) fn constraints_and_loads() -> Vec<(&'static str, Box<dyn Term>)> {
             "perpendicular within a body",
             Box::new(ConstantAngle::new(&direction_a, &a.direction(0.0, across), 5)),
         ),
+        ("group of constraints", Box::new(group(grouped_constraints().map(|(_, part)| part)))),
         ("force", Box::new(Force::new(&point_a, Vector3::new(0.3, -2.0, 0.7)))),
     ]
+}
+
+/// Constraints of a joint at nodes of both bodies, with their copies for a group.
+fn grouped_constraints() -> [(Box<dyn Term>, GroupedConstraint); 3] {
+    let [a, b] = bodies();
+    let (along, across) = (Vector3::new(0.6, 0.0, 0.8), Vector3::new(0.48, 0.8, -0.36));
+    let (point, direction, other) = (a.point(LENGTH), a.direction(0.0, along), b.direction(0.0, across));
+    let factors = [MeasureFactor::Other(&other.clone().into()), MeasureFactor::Point(&point.clone().into())];
+    let position = CoincidenceConstraint::points(&point, b.point(LENGTH), 5).closed();
+    let angle = ConstantAngle::new(&direction, &other, 8);
+    let [axis, of] = factors;
+    let measure = MeasureConstraint::new(BilinearMeasure::new([(0.7, axis, of)]), 9);
+    let [one, two, three] = [position.grouped(), angle.grouped(), measure.grouped()].map(Option::unwrap);
+    [(Box::new(position), one), (Box::new(angle), two), (Box::new(measure), three)]
+}
+
+/// Constraints with consecutive multipliers as one term.
+fn group(constraints: [GroupedConstraint; 3]) -> ConstraintGroup {
+    let mut groups = ConstraintGroup::groups(constraints);
+    assert_eq!(groups.len(), 1);
+    groups.remove(0)
+}
+
+/// The residual of a group is the sum of those of its constraints.
+#[test]
+fn a_group_is_the_sum_of_its_constraints() {
+    let parts = grouped_constraints();
+    let group = group(grouped_constraints().map(|(_, part)| part));
+    let (n, s) = (group.coordinates().len(), Sample::random(&group, &mut Random(3)));
+    let mut sum = DVector::zeros(n + s.lambda.len());
+    for (part, _) in &parts {
+        let places: Vec<usize> = part
+            .coordinates()
+            .iter()
+            .map(|c| group.coordinates().iter().position(|other| other == c).unwrap())
+            .collect();
+        let first = part.multipliers().start - group.multipliers().start;
+        let of = |x: &DVector<f64>| DVector::from_iterator(places.len(), places.iter().map(|&i| x[i]));
+        let lambda = s.lambda.rows(first, part.multipliers().len()).into_owned();
+        let rows = residual(part.as_ref(), &Sample { q: of(&s.q), v: of(&s.v), a: of(&s.a), lambda });
+        for (i, row) in rows.iter().enumerate() {
+            sum[places.get(i).copied().unwrap_or_else(|| n + first + i - places.len())] += row;
+        }
+    }
+    let found = residual(&group, &s);
+    assert!((&found - &sum).amax() <= 1e-14 * sum.amax(), "{found} {sum}");
 }

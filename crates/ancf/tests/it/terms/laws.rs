@@ -88,6 +88,16 @@ fn assert_rounding(TermCase { name, term, .. }: &TermCase, s: &Sample, random: &
     assert!(bound.amax() < 1e-12 * here.amax().max(1.0), "{name}: rounding bound {:e}", bound.amax());
 }
 
+/// Asserts that Φ_q has no other entries than those that the term states.
+fn assert_entries(TermCase { name, term, .. }: &TermCase, s: &Sample) {
+    let (n, m) = sizes(term.as_ref());
+    let (k, entries) = (tangent(term.as_ref(), s, Weights::MASS), term.constraint_entries());
+    for entry in (0..m).flat_map(|row| (0..n).map(move |i| [row, i])) {
+        let [row, i] = entry;
+        assert!(k[(n + row, i)] == 0.0 || entries.contains(&entry), "{name}: entry {entry:?}");
+    }
+}
+
 fn mass(term: &dyn Term, s: &Sample) -> DMatrix<f64> {
     let n = s.q.len();
     tangent(term, s, Weights::MASS).view((0, 0), (n, n)).into_owned()
@@ -112,6 +122,7 @@ fn assert_laws(case: &TermCase, random: &mut Random) {
     assert_tangent(case, &s, &z, w);
     assert_energy(case, &s, &z);
     assert_mass(case, &s);
+    assert_entries(case, &s);
     assert_rounding(case, &s, random);
 }
 

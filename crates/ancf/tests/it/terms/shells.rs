@@ -89,7 +89,7 @@ fn shells_are_objective() {
     let turn = Rotation3::from_axis_angle(&nalgebra::Unit::new_normalize(Vector3::new(1.0, -2.0, 0.5)), 1.0);
     let moved = |deformed: &[Vector3<f64>; 16]| -> Vec<f64> {
         let vector = |i: usize| {
-            let shift = if i % 4 == 0 { Vector3::new(3.0, 1.0, -2.0) } else { Vector3::zeros() };
+            let shift = if i.is_multiple_of(4) { Vector3::new(3.0, 1.0, -2.0) } else { Vector3::zeros() };
             turn * (reference[i] + deformed[i]) + shift - reference[i]
         };
         (0..16).flat_map(|i| <[f64; 3]>::from(vector(i))).collect()

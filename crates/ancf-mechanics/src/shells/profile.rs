@@ -39,9 +39,9 @@ pub(crate) struct BendingPoint {
 #[derive(Clone, Debug, PartialEq)]
 pub struct ShellProfile {
     pub(crate) points: Vec<BendingPoint>,
-    /// Reference values of r_ξ and r_η at the tying points.
-    pub(crate) ties: Vec<[Vector3<f64>; 2]>,
-    /// Membrane stiffness of the strains at the tying points.
+    /// Reference values of r_ξ and r_η at the sampling points.
+    pub(crate) samples: Vec<[Vector3<f64>; 2]>,
+    /// Membrane stiffness of the strains at the sampling points.
     pub(crate) membrane: Box<[[f64; MEMBRANE]; MEMBRANE]>,
     /// True if the section couples membrane strains and curvatures.
     pub(crate) is_coupled: bool,
@@ -57,14 +57,14 @@ pub(crate) struct ShellTables {
     /// Derivatives of the shape functions at the integration points of bending.
     pub(crate) points: [[Shape; 5]; POINTS],
     /// Membrane strains.
-    pub(crate) ties: [Tie; MEMBRANE],
+    pub(crate) samples: [MembraneSample; MEMBRANE],
     /// Values of the interpolation functions of the membrane strains at the integration points.
-    pub(crate) tying: [[f64; MEMBRANE]; POINTS],
+    pub(crate) sampling: [[f64; MEMBRANE]; POINTS],
 }
 
-/// Membrane strain at a tying point.
+/// Membrane strain at a sampling point.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Tie {
+pub(crate) struct MembraneSample {
     /// Component: 0 for ε_ξξ, 1 for ε_ηη, 2 for 2 ε_ξη.
     pub(crate) component: usize,
     /// Derivatives of the shape functions by ξ and η.
@@ -73,7 +73,7 @@ pub(crate) struct Tie {
     active: ([usize; VECTORS], usize),
 }
 
-impl Tie {
+impl MembraneSample {
     fn new(component: usize, shapes: [Shape; 2]) -> Self {
         let used = |a: usize| match component {
             0 => shapes[0][a] != 0.0,
@@ -119,7 +119,7 @@ fn lagrange(nodes: &[f64], k: usize, x: f64) -> f64 {
 }
 
 /// Calls `visit` with the component, the rules and the place in them of each membrane strain.
-fn each_tie(mut visit: impl FnMut(usize, [&[f64]; 2], [usize; 2])) {
+fn each_sample(mut visit: impl FnMut(usize, [&[f64]; 2], [usize; 2])) {
     let rules = lobatto();
     for (component, rule) in RULES.into_iter().enumerate() {
         let [along, across] = rule.map(|k| &rules[k][..]);
@@ -132,17 +132,17 @@ fn each_tie(mut visit: impl FnMut(usize, [&[f64]; 2], [usize; 2])) {
 impl ShellTables {
     pub(crate) fn new() -> Self {
         let points = integration_points();
-        let none = Tie::new(0, [[0.0; VECTORS]; 2]);
-        let (mut ties, mut tying, mut row) = ([none; MEMBRANE], [[0.0; MEMBRANE]; POINTS], 0);
-        each_tie(|component, [along, across], [i, j]| {
+        let none = MembraneSample::new(0, [[0.0; VECTORS]; 2]);
+        let (mut samples, mut sampling, mut row) = ([none; MEMBRANE], [[0.0; MEMBRANE]; POINTS], 0);
+        each_sample(|component, [along, across], [i, j]| {
             let at = [along[i], across[j]];
-            ties[row] = Tie::new(component, [bicubic(at, [1, 0]), bicubic(at, [0, 1])]);
-            for (values, ([x, y], _)) in tying.iter_mut().zip(points) {
+            samples[row] = MembraneSample::new(component, [bicubic(at, [1, 0]), bicubic(at, [0, 1])]);
+            for (values, ([x, y], _)) in sampling.iter_mut().zip(points) {
                 values[row] = lagrange(along, i, x) * lagrange(across, j, y);
             }
             row += 1;
         });
-        Self { points: points.map(|(at, _)| surface_derivatives(at)), ties, tying }
+        Self { points: points.map(|(at, _)| surface_derivatives(at)), samples, sampling }
     }
 }
 
@@ -170,8 +170,8 @@ impl ShellProfile {
             let area = normal.norm();
             let [a, b, d] = medium.section.covariant(&values[0], &values[1]).map(|c| c * (weight * area));
             for (t, s) in (0..MEMBRANE).flat_map(|t| (0..MEMBRANE).map(move |s| (t, s))) {
-                let stiffness = a[(tables.ties[t].component, tables.ties[s].component)];
-                membrane[t][s] += tables.tying[k][t] * tables.tying[k][s] * stiffness;
+                let stiffness = a[(tables.samples[t].component, tables.samples[s].component)];
+                membrane[t][s] += tables.sampling[k][t] * tables.sampling[k][s] * stiffness;
             }
             let shape = bicubic(at, [0, 0]);
             for i in 0..VECTORS {
@@ -188,9 +188,10 @@ impl ShellProfile {
                 coupling: b,
             });
         }
-        let ties = tables.ties.iter().map(|tie| tie.shapes.map(|shape| sum(&shape, reference))).collect();
+        let samples =
+            tables.samples.iter().map(|sample| sample.shapes.map(|shape| sum(&shape, reference))).collect();
         let is_coupled = medium.section.coupling != Matrix3::zeros();
-        Self { points, ties, membrane, is_coupled, mass, first, medium: *medium }
+        Self { points, samples, membrane, is_coupled, mass, first, medium: *medium }
     }
 
     /// Returns ∫ N_a dA.

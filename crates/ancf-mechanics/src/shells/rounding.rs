@@ -1,7 +1,7 @@
 //! Bounds of the rounding errors of the forces of a shell element.
 
 use super::hermite::{Shape, VECTORS};
-use super::profile::{MEMBRANE, POINTS, ShellProfile, ShellTables, Tie};
+use super::profile::{MEMBRANE, MembraneSample, POINTS, ShellProfile, ShellTables};
 use super::surface_state::{ShellStrains, SurfaceState, VOIGT};
 
 /// Roundings in a sum of sixteen products, relative to the sum of their magnitudes.
@@ -23,8 +23,8 @@ pub(crate) fn add_rounding(
     let mut errors = [0.0; MEMBRANE];
     let mut bending = [[0.0; 3]; POINTS];
     let mut amplified = [0.0; POINTS];
-    for (t, reference) in profile.ties.iter().enumerate() {
-        let Tie { component, shapes, .. } = &tables.ties[t];
+    for (t, reference) in profile.samples.iter().enumerate() {
+        let MembraneSample { component, shapes, .. } = &tables.samples[t];
         let [u, w] = shapes.each_ref().map(|shape| size(shape, q));
         let [x, y] = shapes.each_ref().map(|shape| time * size(shape, v));
         let [a, b] = [reference[0].norm() + u, reference[1].norm() + w];
@@ -71,16 +71,16 @@ fn add_membrane(
         for (k, point) in profile.points.iter().enumerate() {
             for (r, error) in error.iter_mut().enumerate() {
                 let of = |j: usize| {
-                    let i = tables.ties[r].component;
+                    let i = tables.samples[r].component;
                     point.coupling[(i, j)].abs() * (bending[k][j] + SUM * strains.bending[k][j].abs())
                 };
-                *error += tables.tying[k][r].abs() * (0..3).map(of).sum::<f64>();
+                *error += tables.sampling[k][r].abs() * (0..3).map(of).sum::<f64>();
             }
         }
     }
-    for (t, Tie { component, shapes: [x, y], .. }) in tables.ties.iter().enumerate() {
+    for (t, MembraneSample { component, shapes: [x, y], .. }) in tables.samples.iter().enumerate() {
         let [u, w] = [x, y].map(|shape| size(shape, q));
-        let [a, b] = [profile.ties[t][0].norm() + u, profile.ties[t][1].norm() + w];
+        let [a, b] = [profile.samples[t][0].norm() + u, profile.samples[t][1].norm() + w];
         let of = error[t] + SUM * stress.membrane[t].abs();
         for i in 0..VECTORS {
             let (x, y) = (x[i].abs(), y[i].abs());
@@ -114,8 +114,8 @@ fn add_bending(
                 .sum();
             if profile.is_coupled {
                 for (r, strain) in state.strains.membrane.iter().enumerate() {
-                    error += tables.tying[k][r].abs()
-                        * own.coupling[(tables.ties[r].component, i)].abs()
+                    error += tables.sampling[k][r].abs()
+                        * own.coupling[(tables.samples[r].component, i)].abs()
                         * (errors[r] + SUM * strain.abs());
                 }
             }

@@ -3,7 +3,7 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::hermite::{Shape, VECTORS};
-use super::profile::{MEMBRANE, ShellProfile, ShellTables, Tie};
+use super::profile::{MEMBRANE, MembraneSample, ShellProfile, ShellTables};
 use super::surface_state::{BentPoint, ShellStrains, SurfaceState, VOIGT};
 
 /// Number of coordinates of an element.
@@ -19,7 +19,8 @@ impl SurfaceState {
     /// Returns the derivatives of a membrane strain.
     #[inline(always)]
     fn membrane_row(&self, tables: &ShellTables, t: usize) -> Row {
-        let ([a, b], Tie { component, shapes: [x, y], .. }) = (&self.ties[t], &tables.ties[t]);
+        let ([a, b], MembraneSample { component, shapes: [x, y], .. }) =
+            (&self.samples[t], &tables.samples[t]);
         let mut row = [0.0; SIZE];
         for k in 0..VECTORS {
             for i in 0..3 {
@@ -48,11 +49,11 @@ impl SurfaceState {
                 let mut forces = [0.0; SIZE];
                 for (s, d) in stiffness.iter().enumerate() {
                     let d = d * material;
-                    for &v in tables.ties[s].vectors() {
+                    for &v in tables.samples[s].vectors() {
                         (3 * v..3 * v + 3).for_each(|i| forces[i] += d * rows[s][i]);
                     }
                 }
-                for &v in tables.ties[t].vectors() {
+                for &v in tables.samples[t].vectors() {
                     (3 * v..3 * v + 3).for_each(|j| add_column(&mut k[j], j, rows[t][j], &forces));
                 }
             }
@@ -80,8 +81,8 @@ impl SurfaceState {
     ) {
         let mut strains = [[0.0; SIZE]; 3];
         for (t, row) in rows.iter().enumerate() {
-            let (tying, strain) = (tables.tying[point][t], &mut strains[tables.ties[t].component]);
-            strain.iter_mut().zip(row).for_each(|(sum, x)| *sum += tying * x);
+            let (sampling, strain) = (tables.sampling[point][t], &mut strains[tables.samples[t].component]);
+            strain.iter_mut().zip(row).for_each(|(sum, x)| *sum += sampling * x);
         }
         for (i, strain) in strains.iter().enumerate() {
             let mut moment = [0.0; SIZE];
@@ -99,11 +100,11 @@ impl SurfaceState {
     /// Adds the stiffness of membrane stresses.
     #[inline(always)]
     fn add_membrane_geometry(&self, tables: &ShellTables, stress: &ShellStrains, k: &mut Square) {
-        for (tie, &n) in tables.ties.iter().zip(&stress.membrane) {
-            let [x, y] = &tie.shapes;
-            let vectors = tie.vectors();
+        for (sample, &n) in tables.samples.iter().zip(&stress.membrane) {
+            let [x, y] = &sample.shapes;
+            let vectors = sample.vectors();
             for (place, &a) in vectors.iter().enumerate() {
-                let (along, across) = match tie.component {
+                let (along, across) = match sample.component {
                     0 => (n * x[a], 0.0),
                     1 => (0.0, n * y[a]),
                     _ => (n * y[a], n * x[a]),

@@ -1,9 +1,9 @@
 use nalgebra::Vector3;
 
 use super::hermite::{Shape, VECTORS};
-use super::profile::{BendingPoint, MEMBRANE, POINTS, ShellProfile, ShellTables, Tie, sum};
+use super::profile::{BendingPoint, MEMBRANE, MembraneSample, POINTS, ShellProfile, ShellTables, sum};
 
-/// Strains, strain rates or stresses of an element: membrane components at the tying points, bending at the integration points.
+/// Strains, strain rates or stresses of an element: membrane components at the sampling points, bending at the integration points.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ShellStrains {
     pub(crate) membrane: [f64; MEMBRANE],
@@ -74,8 +74,8 @@ impl BentPoint {
 /// Surface of an element in a state.
 #[derive(Clone, Debug)]
 pub(crate) struct SurfaceState {
-    /// r_ξ and r_η at the tying points.
-    pub(crate) ties: [[Vector3<f64>; 2]; MEMBRANE],
+    /// r_ξ and r_η at the sampling points.
+    pub(crate) samples: [[Vector3<f64>; 2]; MEMBRANE],
     pub(crate) points: [BentPoint; POINTS],
     pub(crate) strains: ShellStrains,
 }
@@ -84,9 +84,9 @@ impl SurfaceState {
     /// Evaluates an element with the displacements `q` of its nodal vectors.
     pub(crate) fn new(tables: &ShellTables, profile: &ShellProfile, q: &[Vector3<f64>; VECTORS]) -> Self {
         let mut strains = ShellStrains::ZERO;
-        let ties = std::array::from_fn(|t| {
-            let Tie { component, shapes, .. } = &tables.ties[t];
-            let [reference, u] = [profile.ties[t], shapes.each_ref().map(|shape| sum(shape, q))];
+        let samples = std::array::from_fn(|t| {
+            let MembraneSample { component, shapes, .. } = &tables.samples[t];
+            let [reference, u] = [profile.samples[t], shapes.each_ref().map(|shape| sum(shape, q))];
             strains.membrane[t] = match component {
                 &k @ (0 | 1) => (reference[k] + u[k] * 0.5).dot(&u[k]),
                 _ => reference[0].dot(&u[1]) + u[0].dot(&reference[1]) + u[0].dot(&u[1]),
@@ -99,14 +99,14 @@ impl SurfaceState {
             strains.bending[k] = point.curvature;
             point
         });
-        Self { ties, points, strains }
+        Self { samples, points, strains }
     }
 
     /// Computes the strain rates B(q) v.
     pub(crate) fn rates(&self, tables: &ShellTables, v: &[Vector3<f64>; VECTORS]) -> ShellStrains {
         let mut rates = ShellStrains::ZERO;
-        for (t, [a, b]) in self.ties.iter().enumerate() {
-            let Tie { component, shapes, .. } = &tables.ties[t];
+        for (t, [a, b]) in self.samples.iter().enumerate() {
+            let MembraneSample { component, shapes, .. } = &tables.samples[t];
             rates.membrane[t] = match component {
                 0 => a.dot(&sum(&shapes[0], v)),
                 1 => b.dot(&sum(&shapes[1], v)),
@@ -132,8 +132,9 @@ impl SurfaceState {
         stress: &ShellStrains,
         force: &mut [Vector3<f64>; VECTORS],
     ) {
-        for (t, [a, b]) in self.ties.iter().enumerate() {
-            let (Tie { component, shapes: [x, y], .. }, n) = (&tables.ties[t], stress.membrane[t]);
+        for (t, [a, b]) in self.samples.iter().enumerate() {
+            let (MembraneSample { component, shapes: [x, y], .. }, n) =
+                (&tables.samples[t], stress.membrane[t]);
             let (along, across) = match component {
                 0 => (a * n, Vector3::zeros()),
                 1 => (Vector3::zeros(), b * n),
@@ -170,9 +171,9 @@ impl ShellProfile {
             if self.is_coupled {
                 let n = point.coupling * strains.bending[k];
                 let mut strain = Vector3::zeros();
-                for (t, Tie { component, .. }) in tables.ties.iter().enumerate() {
-                    strain[*component] += tables.tying[k][t] * strains.membrane[t];
-                    stress.membrane[t] += tables.tying[k][t] * n[*component];
+                for (t, MembraneSample { component, .. }) in tables.samples.iter().enumerate() {
+                    strain[*component] += tables.sampling[k][t] * strains.membrane[t];
+                    stress.membrane[t] += tables.sampling[k][t] * n[*component];
                 }
                 stress.bending[k] += point.coupling.transpose() * strain;
             }

@@ -15,3 +15,4 @@ pub mod functions;
 pub mod kinematics;
 pub mod rods;
 pub mod sections;
+pub mod shells;

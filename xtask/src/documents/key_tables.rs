@@ -18,7 +18,7 @@ const START: &str = "<!-- keys: ";
 const END: &str = "<!-- end -->";
 
 /// Descriptions of definitions: definition, text of the link, page in `docs/model-file` with its section.
-const LINKS: [(&str, &str, &str); 26] = [
+const LINKS: [(&str, &str, &str); 27] = [
     ("ContactSurface", "obstacle", "contacts.md#obstacles"),
     ("Analysis", "analysis", "analysis.md"),
     ("AngularDrive", "drive", "drives.md"),
@@ -43,6 +43,7 @@ const LINKS: [(&str, &str, &str); 26] = [
     ("ScaleChoice", "scales", "analysis.md#scales"),
     ("Section", "section", "materials.md#sectionsname"),
     ("Shape", "shape", "bodies.md#shapes"),
+    ("ShellSurface", "surface", "bodies.md#surfaces-of-shells"),
     ("Stop", "criterion", "analysis.md#convergence-criteria"),
     ("TimeFunction", "function of time", "functions.md"),
 ];

@@ -53,7 +53,7 @@ const DRIVES: [&str; 7] = [
 ];
 
 /// Names of classes that differ from the word of their form: definition, word or first required key, name.
-const CLASSES: [(&str, &str, &str); 28] = [
+const CLASSES: [(&str, &str, &str); 32] = [
     ("Analysis", "path", "EquilibriumPath"),
     ("Body", "mass", "PointMass"),
     ("Body", "rigid", "RigidBody"),
@@ -74,6 +74,10 @@ const CLASSES: [(&str, &str, &str); 28] = [
     ("Scheme", "gamma", "Newmark"),
     ("Scheme", "spectral_radius", "GeneralizedAlpha"),
     ("Section", "general", "GeneralSection"),
+    ("ShellSurface", "flat", "FlatSurface"),
+    ("ShellSurface", "revolved", "RevolvedSurface"),
+    ("ShellSurface", "sphere", "SphericalSurface"),
+    ("ShellSurface", "twisted", "TwistedSurface"),
     ("Step", "tolerance", "AdaptiveStep"),
     ("Stop", "energy", "EnergyCriterion"),
     ("Stop", "increment", "IncrementCriterion"),
@@ -143,6 +147,7 @@ pub(super) fn base(definition: &str, class: &str) -> &'static str {
     match (definition, class) {
         (_, "Beam" | "Cable") => "Axis",
         (_, "RigidBody") => "Frame",
+        (_, "Shell") => "Surface",
         (_, "PointMass") => "Point",
         ("Model", _) => "Document",
         ("Material" | "Section", _) => "Shared",
@@ -156,7 +161,7 @@ pub(super) fn imported_from(name: &str) -> &'static str {
         "Callable" | "Mapping" | "Sequence" => "collections.abc",
         "dataclass" | "field" => "dataclasses",
         "ClassVar" | "Literal" | "TypeAlias" => "typing",
-        "Axis" | "Frame" | "Point" => "ancf.model.base.axis",
+        "Axis" | "Frame" | "Point" | "Surface" => "ancf.model.base.axis",
         "checked_arguments" => "ancf.model.base.arguments",
         "Document" => "ancf.model.document",
         _ => "ancf.model.base.part",

@@ -12,7 +12,7 @@ impl Frame {
     pub fn model(&self, model: &Model) -> Option<Model> {
         let mut other = model.clone();
         other.gravity = self.polar(model.gravity);
-        other.bodies.iter_mut().for_each(|body| self.body(body));
+        other.bodies.iter_mut().try_for_each(|body| self.body(body))?;
         for joint in &mut other.joints {
             self.joint(joint)?;
         }
@@ -60,7 +60,8 @@ impl Frame {
         motion.about = motion.about.map(|about| self.point(about));
     }
 
-    fn body(&self, body: &mut Body) {
+    /// `None` for a shell, whose surface is not transformed.
+    fn body(&self, body: &mut Body) -> Option<()> {
         let up = body.up();
         match body {
             Body::Beam(beam) => {
@@ -95,7 +96,9 @@ impl Frame {
                 mass.center = self.point(mass.center);
                 self.motion(&mut mass.motion);
             }
+            Body::Shell(_) => return None,
         }
+        Some(())
     }
 
     /// Angles about axial axes and displacements along polar axes keep their values.
@@ -155,7 +158,7 @@ impl Frame {
                 }
                 (&mut joint.a, Some(&mut joint.b))
             }
-            Joint::Custom(_) => return None,
+            Joint::Support(_) | Joint::Custom(_) => return None,
         };
         self.place(first.0);
         first.1.into_iter().for_each(&mut second);
@@ -198,6 +201,9 @@ impl Frame {
             }
             Load::BaseAcceleration(load) => load.acceleration = self.polar(load.acceleration),
             Load::Fluid(load) => load.current = self.polar(load.current),
+            Load::EdgeForce(_) | Load::EdgeMoment(_) | Load::SurfaceForce(_) | Load::SurfacePressure(_) => {
+                return None;
+            }
             Load::External(_) | Load::Custom(_) => return None,
         }
         Some(())

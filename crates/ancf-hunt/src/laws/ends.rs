@@ -94,7 +94,12 @@ fn exchange(joint: &mut Joint) -> Option<Moment> {
             swap(&mut joint.a, &mut joint.b)?;
             return Some(Moment::Moved);
         }
-        Joint::Drive(_) | Joint::PointOnLine(_) | Joint::Slide(_) | Joint::Bushing(_) | Joint::Custom(_) => {
+        Joint::Drive(_)
+        | Joint::PointOnLine(_)
+        | Joint::Slide(_)
+        | Joint::Bushing(_)
+        | Joint::Support(_)
+        | Joint::Custom(_) => {
             return None;
         }
     }

@@ -75,7 +75,7 @@ fn reverse(body: &mut Body) -> Option<()> {
             std::mem::swap(&mut cable.from, &mut cable.to);
             Some(())
         }
-        Body::Rigid(_) | Body::Mass(_) => None,
+        Body::Shell(_) | Body::Rigid(_) | Body::Mass(_) => None,
     }
 }
 
@@ -99,7 +99,7 @@ fn opposite(at: At, length: f64) -> At {
         At::Named(NamedPosition::Start) => At::Named(NamedPosition::End),
         At::Named(NamedPosition::End) => At::Named(NamedPosition::Start),
         At::Length(s) => At::Length(length - s),
-        At::Named(NamedPosition::Center) | At::Point(_) => at,
+        At::Named(NamedPosition::Center) | At::Point(_) | At::Surface(_) | At::Edge(_) => at,
     }
 }
 
@@ -157,6 +157,7 @@ fn places(joints: &mut [Joint]) -> impl Iterator<Item = &mut Place> {
             Joint::Slide(j) => (&mut j.a, Some(&mut j.b)),
             Joint::Bushing(j) => (&mut j.a, Some(&mut j.b)),
             Joint::Spring(j) => (&mut j.a, Some(&mut j.b)),
+            Joint::Support(j) => (&mut j.a, None),
             Joint::Custom(_) => return Vec::new(),
         };
         let second = b.and_then(|end| if let End::Place(place) = end { Some(place) } else { None });

@@ -23,7 +23,7 @@ impl BeamMesh {
                 let rate = |axis: usize| self.slope * self.slope_of(&directors.map(|all| all[axis]), place);
                 derivative.0 += match kind {
                     VectorKind::Position => directors[place][0],
-                    VectorKind::Slope => rate(0),
+                    VectorKind::Slope | VectorKind::Twist => rate(0),
                     VectorKind::Y => rate(1),
                     VectorKind::Z => rate(2),
                 };
@@ -55,7 +55,9 @@ impl BeamMesh {
         let mut axes = [Vector3::zeros(); 3];
         for ((kind, value, directors), vector) in self.weights(xi).into_iter().zip(vectors) {
             match kind {
-                VectorKind::Position | VectorKind::Slope => axes[0] += vector * directors[0],
+                VectorKind::Position | VectorKind::Slope | VectorKind::Twist => {
+                    axes[0] += vector * directors[0];
+                }
                 VectorKind::Y => axes[1] += vector * value,
                 VectorKind::Z => axes[2] += vector * value,
             }

@@ -4,22 +4,33 @@ use nalgebra::Vector3;
 use super::mesh::BeamMesh;
 use crate::elements::{RigidBody, StrainEnergy};
 use crate::kinematics::{Attachment, Marker, NodalVector, VectorKind};
+use crate::shells::ShellMesh;
 
 /// Body as coordinates and terms.
 #[derive(Clone, Debug)]
 pub enum BodyTerms {
     /// Beam or cable mesh.
     Flexible(BeamMesh),
+    /// Mesh of a thin shell.
+    Shell(ShellMesh),
     /// Rigid body or point mass.
     Rigid(RigidBody),
 }
 
 impl BodyTerms {
-    /// Returns the mesh of a flexible body.
+    /// Returns the mesh of a beam or cable.
     pub const fn mesh(&self) -> Option<&BeamMesh> {
         match self {
             Self::Flexible(mesh) => Some(mesh),
-            Self::Rigid(_) => None,
+            Self::Shell(_) | Self::Rigid(_) => None,
+        }
+    }
+
+    /// Returns the mesh of a shell.
+    pub const fn shell(&self) -> Option<&ShellMesh> {
+        match self {
+            Self::Shell(mesh) => Some(mesh),
+            Self::Flexible(_) | Self::Rigid(_) => None,
         }
     }
 
@@ -27,6 +38,7 @@ impl BodyTerms {
     pub fn coordinates(&self) -> usize {
         match self {
             Self::Flexible(mesh) => mesh.coordinates(),
+            Self::Shell(mesh) => mesh.coordinates(),
             Self::Rigid(body) => body.coordinates(),
         }
     }
@@ -34,7 +46,7 @@ impl BodyTerms {
     /// Returns the number of multipliers of the body.
     pub const fn multipliers(&self) -> usize {
         match self {
-            Self::Flexible(_) => 0,
+            Self::Flexible(_) | Self::Shell(_) => 0,
             Self::Rigid(body) => body.multipliers(),
         }
     }
@@ -43,6 +55,7 @@ impl BodyTerms {
     pub fn terms(&self) -> Vec<Box<dyn Term>> {
         match self {
             Self::Flexible(mesh) => mesh.terms(),
+            Self::Shell(mesh) => mesh.terms(),
             Self::Rigid(body) => vec![body.term()],
         }
     }
@@ -53,16 +66,19 @@ impl BodyTerms {
     pub fn mass_markers(&self) -> Vec<Marker> {
         match self {
             Self::Flexible(mesh) => mesh.mass_markers().collect(),
+            Self::Shell(mesh) => mesh.mass_markers().collect(),
             Self::Rigid(body) => vec![body.mass_marker()],
         }
     }
 
     /// Returns the attachment of joints, loads and probes.
     ///
-    /// A flexible body is attached at an arc length, and a rigid body at a point of the reference state.
+    /// A beam is attached at an arc length, a shell at the parameters (u, v) in `point`, and a rigid body at a point of the
+    /// reference state.
     pub fn attachment(&self, s: f64, point: Vector3<f64>) -> Attachment {
         match self {
             Self::Flexible(mesh) => mesh.attachment(s),
+            Self::Shell(mesh) => mesh.attachment([point.x, point.y]),
             Self::Rigid(body) => body.attachment(point),
         }
     }
@@ -71,6 +87,7 @@ impl BodyTerms {
     pub fn vectors(&self, s: &State) -> Vec<NodalVector> {
         match self {
             Self::Flexible(mesh) => mesh.vectors(s).collect(),
+            Self::Shell(mesh) => mesh.vectors(s).collect(),
             Self::Rigid(body) => body.vectors(s).collect(),
         }
     }
@@ -79,6 +96,7 @@ impl BodyTerms {
     pub fn locate_coordinate(&self, coordinate: usize) -> Option<(Option<usize>, VectorKind)> {
         match self {
             Self::Flexible(mesh) => mesh.locate_coordinate(coordinate).map(|(node, kind)| (Some(node), kind)),
+            Self::Shell(mesh) => mesh.locate_coordinate(coordinate).map(|(node, kind)| (Some(node), kind)),
             Self::Rigid(body) => body.locate_coordinate(coordinate).map(|kind| (None, kind)),
         }
     }
@@ -91,8 +109,14 @@ impl BodyTerms {
         })
     }
 
-    /// Returns the strain energy by part.
+    /// Returns the strain energy by part. That of a shell has no parts.
     pub fn strain_energy(&self, state: &State) -> StrainEnergy {
-        self.mesh().map_or_else(StrainEnergy::default, |mesh| mesh.strain_energy(state))
+        match self {
+            Self::Flexible(mesh) => mesh.strain_energy(state),
+            Self::Shell(mesh) => {
+                StrainEnergy { volume: mesh.strain_energy(state), ..StrainEnergy::default() }
+            }
+            Self::Rigid(_) => StrainEnergy::default(),
+        }
     }
 }

@@ -125,7 +125,7 @@ impl BeamMesh {
             let values = match kinds[i % kinds.len()] {
                 VectorKind::Position => [1.0, xi, xi * xi, xi * xi * xi],
                 VectorKind::Slope => [0.0, slope, 2.0 * xi * slope, 3.0 * xi * xi * slope],
-                VectorKind::Y | VectorKind::Z => [0.0; 4],
+                VectorKind::Y | VectorKind::Z | VectorKind::Twist => [0.0; 4],
             };
             works.iter_mut().zip(values).for_each(|(work, value)| *work += row * value);
         }

@@ -268,7 +268,7 @@ impl BeamMesh {
     /// Returns the point of the body at an arc length and (y, z) in its section.
     pub fn material_point(&self, s: f64, y: f64, z: f64) -> Marker {
         self.marker(s, |kind, value, _| match kind {
-            VectorKind::Position | VectorKind::Slope => value,
+            VectorKind::Position | VectorKind::Slope | VectorKind::Twist => value,
             VectorKind::Y => y * value,
             VectorKind::Z => z * value,
         })

@@ -87,6 +87,14 @@ impl BodyTerms {
     pub fn momentum(&self, s: &State) -> Momentum {
         match self {
             Self::Flexible(mesh) => mesh.momentum(s),
+            Self::Shell(mesh) => {
+                let mut sum = Momentum::default();
+                for (k, element) in mesh.elements().iter().enumerate() {
+                    let mass = element.profile().mass();
+                    sum += Momentum::of(&mesh.element_vectors(s, k), |a, b| mass[a][b], s);
+                }
+                sum
+            }
             Self::Rigid(body) => {
                 let vectors: Vec<NodalVector> = body.vectors(s).collect();
                 Momentum::of(&vectors, |a, b| body.mass_entry(a, b), s)

@@ -219,7 +219,7 @@ impl BeamMesh {
                     shift += Vector3::from_column_slice(&w[3 * i..3 * i + 3]) * value;
                 }
                 VectorKind::Y => share = value,
-                VectorKind::Z => {}
+                VectorKind::Z | VectorKind::Twist => {}
             }
         }
         (shift, share)

@@ -175,7 +175,7 @@ impl<const N: usize> RelativeVectors<N> {
         let [r, y, z] = [VectorKind::Position, VectorKind::Y, VectorKind::Z].map(first);
         let difference = std::array::from_fn(|i| match S::KINDS[i] {
             VectorKind::Position => q[i] - r,
-            VectorKind::Slope => q[i],
+            VectorKind::Slope | VectorKind::Twist => q[i],
             VectorKind::Y => q[i] - y,
             VectorKind::Z => q[i] - z,
         });

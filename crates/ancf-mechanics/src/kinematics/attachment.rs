@@ -24,6 +24,8 @@ pub enum Directions {
     Line(Marker),
     /// Directors r_x, r_y and r_z of a section, which may stretch and shear, and the frame of the section.
     Section([Marker; 3], SectionFrame),
+    /// Frame of a surface: its normal and two tangents, which may stretch and shear.
+    Surface(SectionFrame),
     /// Directions of a rigid body or of the ground, with constant lengths and angles.
     Rigid([Marker; 3]),
 }
@@ -41,7 +43,7 @@ impl Attachment {
     /// Returns the three directions, if the body has them.
     pub fn axes(&self) -> Option<&[Marker; 3]> {
         match &self.directions {
-            Directions::None | Directions::Line(_) => None,
+            Directions::None | Directions::Line(_) | Directions::Surface(_) => None,
             Directions::Section(axes, _) | Directions::Rigid(axes) => Some(axes),
         }
     }
@@ -70,7 +72,7 @@ impl Attachment {
     pub fn frame(&self) -> Option<SectionFrame> {
         match &self.directions {
             Directions::None | Directions::Line(_) => None,
-            Directions::Section(_, frame) => Some(frame.clone()),
+            Directions::Section(_, frame) | Directions::Surface(frame) => Some(frame.clone()),
             Directions::Rigid([_, d, e]) => Some(SectionFrame::new([d, e], 0.5)),
         }
     }
@@ -81,7 +83,9 @@ impl Attachment {
     /// its length follows the stretch. A point has no direction.
     pub fn direction(&self, direction: Vector3<f64>) -> BodyVector {
         match &self.directions {
-            Directions::Section(_, frame) => BodyVector::turned(frame, direction),
+            Directions::Section(_, frame) | Directions::Surface(frame) => {
+                BodyVector::turned(frame, direction)
+            }
             _ => self.material_direction(direction).into(),
         }
     }
@@ -91,7 +95,8 @@ impl Attachment {
     /// It stretches and shears with the section. For a line, only the component along the tangent is used.
     pub fn material_direction(&self, direction: Vector3<f64>) -> Marker {
         match &self.directions {
-            Directions::None => Marker::fixed(Vector3::zeros()),
+            // A surface has no material direction along its normal: only its tangents are vectors of the coordinates.
+            Directions::None | Directions::Surface(_) => Marker::fixed(Vector3::zeros()),
             Directions::Line(tangent) => {
                 let along = tangent.reference().dot(&direction) / tangent.reference().norm_squared();
                 Marker::combined([(round_to_zero(along), tangent)])
@@ -131,7 +136,9 @@ impl Attachment {
     pub fn spin(&self, s: &State) -> Option<Vector3<f64>> {
         match &self.directions {
             Directions::None | Directions::Line(_) => None,
-            Directions::Section(_, frame) => Some(frame.at(&s.q).spin(frame.rates(&s.v))),
+            Directions::Section(_, frame) | Directions::Surface(frame) => {
+                Some(frame.at(&s.q).spin(frame.rates(&s.v)))
+            }
             Directions::Rigid(axes) => {
                 let sum: Vector3<f64> = axes.iter().map(|axis| axis.value(s).cross(&axis.sum(&s.v))).sum();
                 Some(sum * 0.5)
@@ -146,7 +153,7 @@ impl Attachment {
     pub fn moment_frames(&self) -> Vec<SectionFrame> {
         match &self.directions {
             Directions::None | Directions::Line(_) => Vec::new(),
-            Directions::Section(_, frame) => vec![frame.clone()],
+            Directions::Section(_, frame) | Directions::Surface(frame) => vec![frame.clone()],
             Directions::Rigid([x, y, z]) => {
                 [[y, z], [z, x], [x, y]].map(|pair| SectionFrame::new(pair, 0.5)).into()
             }

@@ -64,6 +64,8 @@ pub enum VectorKind {
     Y,
     /// Section vector ℓ r_z.
     Z,
+    /// Mixed derivative r_ξη of a surface, whose tangents r_ξ and r_η have the kinds `Slope` and `Y`.
+    Twist,
 }
 
 impl VectorKind {
@@ -71,7 +73,7 @@ impl VectorKind {
     /// one.
     pub(crate) const fn directors(self) -> [usize; 3] {
         match self {
-            Self::Position | Self::Slope => [0, 5, 6],
+            Self::Position | Self::Slope | Self::Twist => [0, 5, 6],
             Self::Y => [3, 1, 1],
             Self::Z => [4, 2, 2],
         }

@@ -15,6 +15,8 @@ pub enum BodyKind {
     Beam,
     /// Cable.
     Cable,
+    /// Shell, drawn as the middle of its surface.
+    Shell,
     /// Rigid body.
     Rigid,
     /// Point mass.
@@ -26,6 +28,7 @@ impl BodyKind {
         match body {
             Body::Beam(_) => Self::Beam,
             Body::Cable(_) => Self::Cable,
+            Body::Shell(_) => Self::Shell,
             Body::Rigid(_) => Self::Rigid,
             Body::Mass(_) => Self::PointMass,
         }
@@ -36,6 +39,7 @@ impl BodyKind {
         match self {
             Self::Beam => "beam",
             Self::Cable => "cable",
+            Self::Shell => "point",
             Self::Rigid => "rigid",
             Self::PointMass => "point",
         }
@@ -66,6 +70,9 @@ pub struct BodyShape {
     pub axes: [[f64; 3]; 3],
 }
 
+/// Radius of the point of a shell, relative to the size of the model.
+const SHELL_POINT: f64 = 0.01;
+
 /// Axes of bodies without principal axes.
 const GLOBAL: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
@@ -89,6 +96,7 @@ impl BodyShape {
                 (Some(drawn.edges.map(|edge| 0.5 * edge)), drawn.axes)
             }
             Body::Mass(mass) => (Some([point_mass_radius(mass, size); 3]), GLOBAL),
+            Body::Shell(_) => (Some([SHELL_POINT * size; 3]), GLOBAL),
             Body::Beam(_) | Body::Cable(_) => (None, GLOBAL),
         };
         let outline = outline_at(model, body, 0.0, SIDES);

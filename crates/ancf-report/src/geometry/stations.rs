@@ -87,7 +87,7 @@ impl<'a> Geometry<'a> {
         for (shape, start) in self.bodies.iter().zip(&self.start) {
             let own = &mut directors[shape.stations.clone()];
             match shape.kind {
-                BodyKind::Beam | BodyKind::PointMass => {}
+                BodyKind::Beam | BodyKind::Shell | BodyKind::PointMass => {}
                 BodyKind::Cable => {
                     let mut y = *start;
                     for triad_here in own {

@@ -15,7 +15,7 @@ impl Mesh {
             }
             match (&shape.outline, shape.half_edges) {
                 (Some(outline), _) => mesh.sweep(number, shape, outline),
-                (None, Some(half)) if shape.kind == BodyKind::PointMass => {
+                (None, Some(half)) if matches!(shape.kind, BodyKind::PointMass | BodyKind::Shell) => {
                     mesh.octahedron(number, shape, half);
                 }
                 (None, half) => mesh.cuboid(number, shape, half.unwrap_or_default()),

@@ -79,6 +79,9 @@ fn add_bodies(layout: &SceneLayout<'_>, budget: usize, header: &mut Value, blob:
     if parts < PARTS && recording.model.bodies.iter().any(ancf::model::Body::is_flexible) {
         notes.push(messages::coarse(parts));
     }
+    if recording.model.bodies.iter().any(|body| matches!(body, ancf::model::Body::Shell(_))) {
+        notes.push(messages::SHELLS.to_owned());
+    }
     let frames = DrawnFrames::new(recording, &geometry, layout.size, most, &mut notes);
     let mut fields = ScalarFields::new(recording.model, assembly, scales, &geometry, &recording.body_errors);
     for (s, placed) in frames.states.iter().zip(&frames.placed) {

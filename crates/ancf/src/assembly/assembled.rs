@@ -3,6 +3,7 @@ use std::collections::BTreeSet;
 use ancf_mechanics::bodies::{BeamMesh, BodyTerms};
 use ancf_mechanics::constraints::Wrench;
 use ancf_mechanics::kinematics::{Attachment, BodyVector, VectorKind};
+use ancf_mechanics::shells::ShellMesh;
 use ancf_solver::equations::{EquationsOfMotion, State, System};
 use ancf_solver::newton::SolveError;
 
@@ -95,6 +96,11 @@ impl Assembly {
         self.bodies.iter().find(|(name, _)| name == body).and_then(|(_, body)| body.mesh())
     }
 
+    /// Mesh of a shell.
+    pub fn shell(&self, body: &str) -> Option<&ShellMesh> {
+        self.bodies.iter().find(|(name, _)| name == body).and_then(|(_, body)| body.shell())
+    }
+
     /// Description of the owner of an equation: a node of a body, or a joint.
     pub fn name_of(&self, equation: usize) -> String {
         self.name_in(equation, 1.0)
@@ -112,6 +118,10 @@ impl Assembly {
             if let Some((node, kind)) = body.locate_coordinate(equation) {
                 let axis = ["x", "y", "z"][(equation - first) % 3];
                 return match node {
+                    Some(node) if let Some(mesh) = body.shell() => {
+                        let [u, v] = mesh.node_place(node).map(short);
+                        format!("shell `{name}`, node at [{u}, {v}], {} along {axis}", tangent(kind))
+                    }
                     Some(node) => {
                         let s = short(length * body.arc_length(node));
                         format!("body `{name}`, node {node} (s = {s}), {} along {axis}", word(kind))
@@ -168,6 +178,17 @@ const fn word(kind: VectorKind) -> &'static str {
         VectorKind::Slope => "r_x",
         VectorKind::Y => "r_y",
         VectorKind::Z => "r_z",
+        VectorKind::Twist => "r_uv",
+    }
+}
+
+/// Word of a nodal vector of a shell.
+const fn tangent(kind: VectorKind) -> &'static str {
+    match kind {
+        VectorKind::Position => "r",
+        VectorKind::Slope => "r_u",
+        VectorKind::Y => "r_v",
+        VectorKind::Z | VectorKind::Twist => "r_uv",
     }
 }
 
@@ -177,6 +198,6 @@ const fn director(kind: VectorKind) -> &'static str {
         VectorKind::Position => "its centre",
         VectorKind::Slope => "its first director",
         VectorKind::Y => "its second director",
-        VectorKind::Z => "its third director",
+        VectorKind::Z | VectorKind::Twist => "its third director",
     }
 }

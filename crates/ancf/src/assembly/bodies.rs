@@ -3,9 +3,10 @@
 use ancf_mechanics::bodies::{BeamMesh, BodyTerms, MeshParameters};
 use ancf_mechanics::elements::{BeamMaterial, RigidBody};
 use ancf_mechanics::kinematics::Attachment;
+use ancf_mechanics::shells::{ShellMedium, ShellMesh, ShellSection};
 use nalgebra::Vector3;
 
-use crate::model::{Beam, Body, IndexedModel, MaterialLaw, Place};
+use crate::model::{Beam, Body, IndexedModel, MaterialLaw, Place, Shell};
 
 impl IndexedModel<'_> {
     /// Bodies as terms. Coordinates and multipliers are numbered consecutively.
@@ -27,8 +28,23 @@ impl IndexedModel<'_> {
                 BodyTerms::Rigid(rigid)
             }
             Body::Mass(point) => BodyTerms::Rigid(RigidBody::point(first[0], centre, point.mass, gravity)),
+            Body::Shell(shell) => BodyTerms::Shell(self.shell(shell, first[0])),
             Body::Beam(_) | Body::Cable(_) => BodyTerms::Flexible(self.mesh(body, first[0])),
         }
+    }
+
+    fn shell(&self, shell: &Shell, first: usize) -> ShellMesh {
+        let material = &self.materials[&shell.material];
+        let section =
+            ShellSection::isotropic(material.young, material.poisson, material.density, shell.thickness);
+        let medium = ShellMedium {
+            section,
+            retardation: material.damping.strain,
+            mass_damping: material.damping.mass,
+            gravity: Vector3::from(self.gravity),
+        };
+        let divisions = shell.elements.map(|count| count as usize);
+        ShellMesh::new(first, divisions, shell.origin(), |at| shell.map(at), &medium)
     }
 
     fn mesh(&self, body: &Body, first: usize) -> BeamMesh {
@@ -81,6 +97,8 @@ impl IndexedModel<'_> {
         let index = self.body_of(place);
         let body = &self.bodies[index];
         let point = body.point(place.at).expect("a checked place is on its body");
+        // A shell is attached by its parameters.
+        let point = body.shell_place(place.at).map_or(point, |[u, v]| Vector3::new(u, v, 0.0));
         let attachment = bodies[index].1.attachment(body.arc_length(place.at), point);
         if place.offset == [0.0; 3] { attachment } else { attachment.offset(Vector3::from(place.offset)) }
     }

@@ -63,7 +63,8 @@ impl IndexedModel<'_> {
             },
             End::Ground | End::Point(_) => self.is_continuum(place),
         };
-        let ends = JointEnds { a: &a, b: &b, stated, beam, all_gradients };
+        let shell = bodies[self.body_of(place)].1.shell();
+        let ends = JointEnds { a: &a, b: &b, stated, beam, shell, all_gradients };
         let mut builder = JointBuilder::new(joint.name(), ends, numbering, coupled);
         joint.build(&mut builder);
         builder.finish()

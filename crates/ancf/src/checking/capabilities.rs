@@ -68,6 +68,10 @@ fn rule(
         (Body::Rigid(_), Capability::DrivenSection) => {
             (format!("{what} that clamps a rigid body"), "a beam, or a driven \"revolute\" joint")
         }
+        (Body::Shell(_), Capability::Strain) => (
+            format!("{what} of {}, a shell, of which they are not recorded", quoted(body.name())),
+            "a beam or a cable",
+        ),
         (Body::Rigid(_) | Body::Mass(_), Capability::Strain) => {
             (format!("{what} of {}, which is rigid", quoted(body.name())), "a beam or a cable")
         }
@@ -80,7 +84,7 @@ fn rule(
 fn arms(model: &IndexedModel<'_>) -> Vec<Finding> {
     let armed = places_of(model).filter(|(_, place)| place.offset != [0.0; 3]);
     let unfit = armed.filter_map(|(path, place)| match body(model, place)?.1 {
-        Body::Beam(_) | Body::Rigid(_) => None,
+        Body::Beam(_) | Body::Shell(_) | Body::Rigid(_) => None,
         Body::Cable(_) | Body::Mass(_) => {
             let error = finding(
                 format!("{path}.offset"),

@@ -85,7 +85,7 @@ pub(crate) fn rule_of_place(model: &IndexedModel<'_>, path: String, place: &Plac
     };
     let name = quoted(body.name());
     match (body, place.at) {
-        (Body::Beam(_) | Body::Cable(_), At::Point(_)) => {
+        (Body::Beam(_) | Body::Cable(_), At::Point(_) | At::Surface(_) | At::Edge(_)) => {
             let expected =
                 format!("\"start\", \"center\", \"end\" or an arc length of {name}, which is flexible");
             Some(finding(format!("{path}.at"), "a point", expected).rests_on(rests_on(["kind"; 3])))
@@ -98,6 +98,11 @@ pub(crate) fn rule_of_place(model: &IndexedModel<'_>, path: String, place: &Plac
                 finding(format!("{path}.at"), number(s), expected).rests_on(rests_on(["from", "to", "shape"]))
             })
         }
+        (Body::Shell(_), At::Edge(_)) => None,
+        (Body::Shell(_), At::Surface(at)) => at.iter().any(|x| !(0.0..=1.0).contains(x)).then(|| {
+            let found = format!("[{}, {}]", number(at[0]), number(at[1]));
+            finding(format!("{path}.at"), found, "u and v from 0 to 1")
+        }),
         (Body::Rigid(_), At::Point(_)) | (_, At::Named(NamedPosition::Center)) => None,
         (_, at) => {
             let found = match at {
@@ -105,8 +110,11 @@ pub(crate) fn rule_of_place(model: &IndexedModel<'_>, path: String, place: &Plac
                 At::Named(_) => "\"end\"".into(),
                 At::Length(s) => number(s),
                 At::Point(_) => "a point".into(),
+                At::Surface(_) => "a point [u, v] of a shell".into(),
+                At::Edge(_) => "an edge of a shell".into(),
             };
             let expected = match body {
+                Body::Shell(_) => format!("\"center\", a point [u, v] or an edge: {name} is a shell"),
                 Body::Mass(_) => format!("\"center\": {name} is a point mass"),
                 _ => format!("\"center\" or a point [x, y, z]: {name} is rigid"),
             };

@@ -4,12 +4,14 @@ use std::fs;
 use std::path::Path;
 
 use crate::errors::{Finding, finding, number};
-use crate::model::{Analysis, Body, IndexedModel};
+use crate::model::{Analysis, Body, IndexedModel, shells_of};
 
 /// Upper limit on the number of elements. Larger values are assumed to be typing errors.
 pub(super) const MAX_ELEMENTS: u64 = 10_000_000;
 /// Memory of a run in bytes, measured: per element, rigid body, joint, probe and contact point.
 const PER_ELEMENT: f64 = 12e3;
+/// Memory per shell element, with the factor of the tangent.
+const PER_SHELL_ELEMENT: f64 = 80e3;
 const PER_RIGID_BODY: f64 = 6e3;
 const PER_JOINT: f64 = 10e3;
 const PER_PROBE: f64 = 110e3;
@@ -44,7 +46,10 @@ pub(super) fn memory(model: &IndexedModel<'_>, available: Option<f64>) -> Option
 fn parts(model: &IndexedModel<'_>) -> Vec<Part> {
     let flexible = model.bodies.iter().filter(|body| body.is_flexible());
     let elements: f64 = flexible.map(|body| f64::from(body.elements())).sum();
-    let rigid = model.bodies.iter().filter(|body| !body.is_flexible()).count() as f64;
+    let rigid =
+        model.bodies.iter().filter(|body| matches!(body, Body::Rigid(_) | Body::Mass(_))).count() as f64;
+    let shells: f64 =
+        shells_of(model).map(|(_, shell)| shell.elements.map(f64::from).iter().product::<f64>()).sum();
     let points: f64 = (0..model.contacts.len()).map(|i| contact_points(model, i)).sum();
     let modes = match &model.analysis {
         Analysis::Modes(modes) => f64::from(modes.count),
@@ -56,6 +61,7 @@ fn parts(model: &IndexedModel<'_>) -> Vec<Part> {
     let vectors = modes.min(COORDINATES * elements) * VECTORS_PER_MODE * 8.0 * COORDINATES * elements;
     vec![
         Part { path: "bodies", what: count(elements, "elements"), bytes: elements * PER_ELEMENT },
+        Part { path: "bodies", what: count(shells, "shell elements"), bytes: shells * PER_SHELL_ELEMENT },
         Part { path: "bodies", what: count(rigid, "rigid bodies"), bytes: rigid * PER_RIGID_BODY },
         Part { path: "joints", what: count(joints, "joints"), bytes: joints * PER_JOINT },
         Part { path: "probes", what: count(probes, "probes"), bytes: probes * PER_PROBE },

@@ -11,6 +11,7 @@ mod loads;
 mod memory;
 mod rules;
 mod scheme;
+mod shells;
 mod time_functions;
 
 pub(crate) use memory::with_memory;

@@ -43,6 +43,7 @@ pub(crate) fn broken_rules(model: &Model) -> Vec<Finding> {
         contacts,
         super::contacts::surfaces,
         super::display::shapes,
+        super::shells::shells,
         super::friction::friction,
         super::loads::kinds,
         super::loads::fluids,

@@ -135,6 +135,7 @@ const fn noun(body: &Body) -> &'static str {
     match body {
         Body::Beam(_) => "beam",
         Body::Cable(_) => "cable",
+        Body::Shell(_) => "shell",
         Body::Rigid(_) => "rigid body",
         Body::Mass(_) => "point mass",
     }

@@ -102,10 +102,11 @@ impl<'a> GapField<'a> {
         self.is_rough || self.bodies().any(|(_, body)| body.gaps.iter().any(|gap| gap.is_rough))
     }
 
-    /// True if gaps are not known, or joints act between the nodes of elements.
+    /// True if gaps are not known, as with shells, or joints act between the nodes of elements.
     pub(super) fn is_unknown(&self) -> bool {
         let is_unknown = |body: &BodyGaps<'_>| body.gaps.iter().any(|gap| gap.is_unknown);
-        self.assembly.inner_loads.has_joints || self.bodies().any(|(_, body)| is_unknown(body))
+        let has_shells = self.assembly.bodies().any(|(_, body)| body.shell().is_some());
+        has_shells || self.assembly.inner_loads.has_joints || self.bodies().any(|(_, body)| is_unknown(body))
     }
 
     /// Bound of the relative difference between the laws of the rod and of the elements.

@@ -14,7 +14,7 @@ pub(super) fn sizes_of(assembly: &Assembly, state: &State, movement: &[f64]) -> 
             let change = Vector3::from_column_slice(&movement[vector.first..vector.first + 3]).norm();
             match vector.kind {
                 VectorKind::Position if length > 0.0 => sizes[0] = sizes[0].max(change / length),
-                VectorKind::Position => {}
+                VectorKind::Position | VectorKind::Twist => {}
                 _ => sizes[1] = sizes[1].max(change / vector.value.norm()),
             }
         }
@@ -28,9 +28,12 @@ pub(crate) fn coordinate_sizes(model: &Model, assembly: &Assembly) -> Vec<f64> {
     let rest = assembly.rest();
     let length = if model.length() > 0.0 { model.length() } else { 1.0 };
     let mut sizes = vec![length; rest.q.len()];
+    let mut last = length;
     for vector in assembly.bodies().flat_map(|(_, body)| body.vectors(&rest)) {
         if vector.kind != VectorKind::Position {
-            sizes[vector.first..vector.first + 3].fill(vector.value.norm());
+            // The mixed derivative of a flat patch is zero: it has the size of the tangent before it.
+            last = if vector.kind == VectorKind::Twist { last } else { vector.value.norm() };
+            sizes[vector.first..vector.first + 3].fill(last);
         }
     }
     for &angle in assembly.system.counted_angles() {

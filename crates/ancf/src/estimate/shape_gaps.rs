@@ -80,7 +80,7 @@ impl ShapeGaps<'_> {
                 let change = Vector3::from_column_slice(&shape[first..first + 3]);
                 match vector.kind {
                     VectorKind::Position => total += change.norm_squared(),
-                    VectorKind::Slope => {}
+                    VectorKind::Slope | VectorKind::Twist => {}
                     VectorKind::Y => y = [vector.value, change],
                     VectorKind::Z => {
                         let [y, of_y] = y;

@@ -1,5 +1,6 @@
 //! Deformation before linear buckling. A large one becomes a warning.
 
+use ancf_mechanics::kinematics::{NodalVector, VectorKind};
 use ancf_solver::eigen::CriticalLoads;
 use ancf_solver::equations::State;
 use nalgebra::Vector3;
@@ -10,6 +11,11 @@ use crate::units::Scales;
 
 /// Largest change of a direction before buckling, in rad. Larger ones change critical loads by percents.
 const SMALL_ROTATION: f64 = 0.1;
+
+/// True for slopes and directors.
+fn is_direction(vector: &NodalVector) -> bool {
+    !matches!(vector.kind, VectorKind::Position | VectorKind::Twist)
+}
 
 /// Warning of critical loads before which the loads deform the structure.
 ///
@@ -23,7 +29,7 @@ pub(crate) fn prebuckling_warning(
 ) -> Option<String> {
     let mut worst = (0.0, None);
     for (name, terms) in &assembly.bodies {
-        for vector in terms.vectors(s).into_iter().filter(|vector| !vector.is_position()) {
+        for vector in terms.vectors(s).into_iter().filter(is_direction) {
             let Some(change) = found.response.get(vector.first..vector.first + 3) else { continue };
             let change = Vector3::from_column_slice(change).norm() / vector.value.norm();
             if change > worst.0 {
@@ -36,7 +42,12 @@ pub(crate) fn prebuckling_warning(
     let factor =
         found.loads.iter().map(|load| load.factor).find(|factor| rotation(*factor) > SMALL_ROTATION)?;
     let node = terms.locate_coordinate(first).and_then(|(node, _)| node);
-    let at = node.map(|node| format!(" at s = {}", short(scales.length * terms.arc_length(node))));
+    let at = node.map(|node| match terms.shell() {
+        Some(mesh) => {
+            format!(" at [u, v] = [{}, {}]", short(mesh.node_place(node)[0]), short(mesh.node_place(node)[1]))
+        }
+        None => format!(" at s = {}", short(scales.length * terms.arc_length(node))),
+    });
     let place = format!("body `{name}`{}", at.unwrap_or_default());
     Some(format!(
         "linear buckling neglects the deformation before buckling, which is not small: at the critical load factor {} and above, \

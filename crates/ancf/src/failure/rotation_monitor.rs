@@ -1,5 +1,6 @@
 //! Rotations that the time steps do not resolve. Their instability becomes a warning.
 
+use ancf_mechanics::kinematics::VectorKind;
 use ancf_solver::equations::State;
 use nalgebra::{Matrix3, Vector3};
 use serde::{Deserialize, Serialize};
@@ -59,6 +60,10 @@ impl RotationMonitor {
         for (body, (_, terms)) in assembly.bodies().enumerate().filter(|_| limit.is_some()) {
             let mut is_new = true;
             for vector in terms.vectors(&rest) {
+                // The mixed derivative of a shell is no direction.
+                if vector.kind == VectorKind::Twist {
+                    continue;
+                }
                 if vector.is_position() {
                     is_new = true;
                     continue;

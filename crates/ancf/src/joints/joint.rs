@@ -14,6 +14,7 @@ use super::spherical::Spherical;
 use super::universal::Universal;
 use crate::joints::elastic::{Bushing, PointSpring};
 use crate::joints::parts::{ClampedGradients, CustomJoint, End, JointKind};
+use crate::joints::surface::Support;
 use crate::model::{Place, TimeFunction};
 use crate::units::Scaled;
 
@@ -74,6 +75,7 @@ joint_kinds! {
     Slide(Slide),
     Bushing(Bushing),
     Spring(PointSpring),
+    Support(Support),
 }
 
 impl Joint {

@@ -15,6 +15,7 @@ mod prismatic;
 mod revolute;
 mod slide;
 mod spherical;
+mod surface;
 mod universal;
 
 pub use crate::model::Capability;
@@ -36,4 +37,5 @@ pub use prismatic::Prismatic;
 pub use revolute::Revolute;
 pub use slide::Slide;
 pub use spherical::Spherical;
+pub use surface::{Support, SupportCondition, SupportedAxis};
 pub use universal::Universal;

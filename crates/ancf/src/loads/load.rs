@@ -4,11 +4,15 @@ use serde::{Deserialize, Serialize};
 use super::base_acceleration::BaseAcceleration;
 use super::distributed_force::DistributedForce;
 use super::distributed_moment::DistributedMoment;
+use super::edge_force::EdgeForce;
+use super::edge_moment::EdgeMoment;
 use super::external::ExternalLoad;
 use super::fluid::Fluid;
 use super::parts::{CustomLoad, LoadKind};
 use super::point_force::PointForce;
 use super::point_moment::PointMoment;
+use super::surface_force::SurfaceForce;
+use super::surface_pressure::SurfacePressure;
 use crate::model::{Place, TimeFunction};
 use crate::units::{Scaled, Scales};
 
@@ -58,6 +62,10 @@ load_kinds! {
     Moment(PointMoment),
     DistributedForce(DistributedForce),
     DistributedMoment(DistributedMoment),
+    EdgeForce(EdgeForce),
+    EdgeMoment(EdgeMoment),
+    SurfaceForce(SurfaceForce),
+    SurfacePressure(SurfacePressure),
     BaseAcceleration(BaseAcceleration),
     Fluid(Fluid),
     External(ExternalLoad),

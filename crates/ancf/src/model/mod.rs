@@ -20,8 +20,8 @@ pub use analyses::{
     Output, Path, Probe, Quantity, Scheme, Sense, Start, Statics, Step, Stop, Unstable,
 };
 pub use bodies::{
-    At, Beam, Body, BodySurface, Cable, Capability, DisplayShape, Formulation, InitialMotion, NamedPosition,
-    Place, PointMass, Rigid, Shape, Slopes,
+    At, Beam, Body, BodySurface, Cable, Capability, DisplayShape, EdgeName, EdgePlace, Formulation,
+    InitialMotion, NamedPosition, Place, PointMass, Rigid, Shape, Shell, ShellSurface, Slopes,
 };
 pub use contacts::{Contact, ContactSurface, Cylinder, ObstacleKind, Plane, Sphere};
 pub use functions::{Input, TimeFunction, Varying};
@@ -34,16 +34,18 @@ pub use crate::errors::{ModelError, ModelErrors, Position};
 pub use crate::joints::{
     AngularDrive, AngularFriction, AngularSpring, Bushing, Clamp, ClampedGradients, Coupled, Coupling,
     Cylindrical, Distance, DrivenClamp, End, Ground, Joint, JointCoordinate, LinearDrive, LinearFriction,
-    LinearSpring, Planar, PointOnLine, PointSpring, Prismatic, Revolute, Slide, Spherical, Universal,
+    LinearSpring, Planar, PointOnLine, PointSpring, Prismatic, Revolute, Slide, Spherical, Support,
+    SupportCondition, SupportedAxis, Universal,
 };
 pub use crate::loads::{
-    BaseAcceleration, DistributedForce, DistributedMoment, ExternalLoad, Fluid, Load, PointForce, PointMoment,
+    BaseAcceleration, DistributedForce, DistributedMoment, EdgeForce, EdgeMoment, ExternalLoad, Fluid, Load,
+    PointForce, PointMoment, SurfaceForce, SurfacePressure,
 };
 pub use crate::units::{ScaleChoice, Units};
-pub(crate) use bodies::ON_AXIS;
+pub(crate) use bodies::{ON_AXIS, shell_body};
 pub(crate) use functions::TimeMode;
 pub(crate) use indexed::IndexedModel;
-pub(crate) use queries::{beams_of, bodies_of, joints_of, loads_of};
+pub(crate) use queries::{beams_of, bodies_of, joints_of, loads_of, shells_of};
 pub(crate) use sections::disk_area;
 
 /// Flexible multibody model as given by the user.

@@ -7,7 +7,7 @@ use ancf_mechanics::functions::InputSignal;
 
 use crate::joints::Joint;
 use crate::loads::Load;
-use crate::model::bodies::{Beam, Body, PointMass, Rigid};
+use crate::model::bodies::{Beam, Body, PointMass, Rigid, Shell};
 use crate::model::contacts::{Contact, ObstacleKind};
 use crate::model::functions::{TimeFunction, TimeMode, Varying};
 use crate::model::sections::Section;
@@ -26,6 +26,7 @@ impl Model {
         let mass = |body: &Body| match body {
             Body::Rigid(Rigid { mass, .. }) | Body::Mass(PointMass { mass, .. }) => *mass,
             Body::Beam(_) | Body::Cable(_) => self.line_mass(body),
+            Body::Shell(shell) => self.materials[&shell.material].density * shell.thickness * shell.area(),
         };
         self.bodies.iter().map(mass).sum()
     }
@@ -182,6 +183,12 @@ pub(crate) fn bodies_of(model: &Model) -> impl Iterator<Item = (String, &Body)> 
 pub(crate) fn beams_of(model: &Model) -> impl Iterator<Item = (String, &Beam)> {
     bodies_of(model)
         .filter_map(|(path, body)| if let Body::Beam(beam) = body { Some((path, beam)) } else { None })
+}
+
+/// Shells with their paths.
+pub(crate) fn shells_of(model: &Model) -> impl Iterator<Item = (String, &Shell)> {
+    bodies_of(model)
+        .filter_map(|(path, body)| if let Body::Shell(shell) = body { Some((path, shell)) } else { None })
 }
 
 /// Joints with their paths.

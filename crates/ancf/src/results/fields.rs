@@ -21,7 +21,8 @@ pub enum Field {
     /// Acceleration x, y, z.
     Acceleration,
     /// Orthonormal frame, three axes with three global components each. Beams: normal, y and z of the section. Cables: tangent
-    /// and two transverse directions, carried along the cable without twist. Rigid bodies: body axes. Point masses: global axes.
+    /// and two transverse directions, carried along the cable without twist. Shells: normal and two
+    /// tangents of the middle. Rigid bodies: body axes. Point masses: global axes.
     Directors,
     /// N, Qy, Qz, T, My, Mz in the section frame: forces of the part at larger arc lengths on the part at smaller ones. NaN for
     /// rigid bodies.
@@ -62,7 +63,7 @@ pub struct Station {
 
 /// Evaluates fields of states at stations, in the order of the bodies.
 ///
-/// Stations are the nodes of flexible bodies, points between them on request, and the centres of rigid bodies.
+/// Stations are the nodes of beams and cables, points between them on request, the middle of shells, and the centres of rigid bodies.
 #[derive(Debug)]
 pub struct Fields<'a> {
     assembly: &'a Assembly,
@@ -140,7 +141,10 @@ impl<'a> Fields<'a> {
         match (self.assembly.body_of(station.body).mesh(), station.place.axes()) {
             (Some(mesh), _) => mesh.carried_frame(s, station.arc_length, carried),
             (None, Some(axes)) => axes.each_ref().map(|axis| axis.value(s)),
-            (None, None) => [Vector3::x(), Vector3::y(), Vector3::z()],
+            (None, None) => match station.place.frame() {
+                Some(frame) => frame.at(&s.q).axes,
+                None => [Vector3::x(), Vector3::y(), Vector3::z()],
+            },
         }
     }
 }
@@ -153,6 +157,7 @@ fn stations_of(body: &BodyTerms, parts: u32) -> Vec<(f64, Attachment)> {
             let at = |i: usize| mesh.length() * (i as f64 / count as f64);
             (0..=count).map(|i| (at(i), mesh.attachment(at(i)))).collect()
         }
+        BodyTerms::Shell(mesh) => vec![(0.0, mesh.attachment([0.5; 2]))],
         BodyTerms::Rigid(body) => vec![(0.0, body.attachment(body.centre()))],
     }
 }

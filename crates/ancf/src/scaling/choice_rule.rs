@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use crate::model::Model;
+use crate::model::{Model, shells_of};
 use crate::units::{ChosenScales, ScaleChoice, Scales};
 
 /// Quantities of a model from which its units are chosen.
@@ -56,6 +56,18 @@ impl Model {
             return ReferenceQuantities { name, length, line_mass, force, force_formula: "E I/L2" };
         }
         let (length, mass) = (self.length(), self.mass());
+        let shell = shells_of(self).max_by(|(_, a), (_, b)| a.extent().total_cmp(&b.extent()));
+        if let Some((_, shell)) = shell {
+            let length = shell.extent();
+            let material = &self.materials[&shell.material];
+            return ReferenceQuantities {
+                name: format!("the largest shell, `{}`", shell.name),
+                length,
+                line_mass: material.density * shell.thickness * shell.area() / length,
+                force: material.young * shell.thickness.powi(3) / (12.0 * length),
+                force_formula: "E h3/(12 L)",
+            };
+        }
         let name = "the whole model".into();
         ReferenceQuantities {
             name,

@@ -61,7 +61,9 @@ impl SchemaCheck {
         };
         match value {
             Value::Table(table) if !of(&["object"]).is_empty() => self.table(&of(&["object"]), table, path),
-            Value::Array(items) if !of(&["array"]).is_empty() => self.array(of(&["array"])[0], items, path),
+            Value::Array(items) if !of(&["array"]).is_empty() => {
+                self.array(array_form(&of(&["array"]), items.len()), items, path)
+            }
             Value::Integer(_) | Value::Float(_) if !of(&["number", "integer"]).is_empty() => {
                 self.number(of(&["number", "integer"])[0], value, path)
             }
@@ -268,6 +270,16 @@ fn number_hint(text: &str) -> Option<&'static str> {
     let digits = text.trim_start_matches(['+', '-', ' ']);
     let is_quantity = digits.starts_with(|c: char| c.is_ascii_digit());
     is_quantity.then_some("write the number alone; the key `units` of the model names the units")
+}
+
+/// First of the arrays that can have a number of items, else the first one.
+fn array_form(forms: &[&'static Json], items: usize) -> &'static Json {
+    let limit = |form: &Json, key: &str| form[key].as_u64().and_then(|count| usize::try_from(count).ok());
+    let fits = |form: &&&'static Json| {
+        (limit(form, "minItems").unwrap_or(0)..=limit(form, "maxItems").unwrap_or(usize::MAX))
+            .contains(&items)
+    };
+    forms.iter().find(fits).copied().unwrap_or(forms[0])
 }
 
 /// True if all items are valid numbers. Long arrays are checked without a path for each item.

@@ -9,8 +9,8 @@ from dataclasses import dataclass, field
 from typing import ClassVar, Literal, TypeAlias
 
 from ancf.model.base.arguments import checked_arguments
-from ancf.model.base.axis import Axis, Frame, Point
-from ancf.model.base.part import Part, Points, Vector
+from ancf.model.base.axis import Axis, Frame, Point, Surface
+from ancf.model.base.part import Numbers, Part, Points, Vector
 from ancf.model.sections import Material, Section
 
 __all__ = [
@@ -25,14 +25,20 @@ __all__ = [
     "DisplayMesh",
     "DisplayShape",
     "DisplaySphere",
+    "FlatSurface",
     "Formulation",
     "Helix",
     "InitialMotion",
     "PointMass",
+    "RevolvedSurface",
     "RigidBody",
+    "Shell",
+    "ShellSurface",
     "SlopeCoordinates",
+    "SphericalSurface",
     "Spline",
     "Straight",
+    "TwistedSurface",
 ]
 
 Formulation: TypeAlias = Literal["continuum", "enhanced", "linked", "quadratic"]
@@ -160,6 +166,133 @@ SlopeCoordinates: TypeAlias = Literal["gradient", "length"]
 
 * ``"gradient"``: Gradients, ℓ = 1 (Kim et al. 2017, eq. 2).
 * ``"length"``: Gradients times the element length, ℓ = l (Kim et al. 2017, eq. 10).
+"""
+
+
+@checked_arguments
+@dataclass(kw_only=True, slots=True, eq=False, repr=False)
+class FlatSurface(Part):
+    """Rectangle or parallelogram.
+
+    Attributes
+    ----------
+    corner
+        Corner with u = v = 0, length.
+    side_u
+        Side from the corner along u, length.
+    side_v
+        Side from the corner along v, length.
+
+    """
+
+    _form = "ShellSurface"
+    _tag = "kind"
+    kind: ClassVar[Literal["flat"]] = "flat"
+
+    corner: Vector
+    side_u: Vector
+    side_v: Vector
+
+
+@checked_arguments
+@dataclass(kw_only=True, slots=True, eq=False, repr=False)
+class RevolvedSurface(Part):
+    """Line that rotates about an axis.
+
+    Part of a cylinder, a cone or an annulus. u is along the rotation, v along the line.
+
+    The edges of a full turn are not connected.
+
+    Attributes
+    ----------
+    from_
+        Start of the line with u = v = 0, length.
+    to
+        End of the line with u = 0, v = 1, length.
+    center
+        Point of the axis, length.
+    axis
+        Direction of the axis. The rotation follows the right-hand rule.
+    angle
+        Angle of the rotation, in radians.
+
+    """
+
+    _form = "ShellSurface"
+    _tag = "kind"
+    kind: ClassVar[Literal["revolved"]] = "revolved"
+
+    from_: Vector
+    to: Vector
+    center: Vector
+    axis: Vector
+    angle: float
+
+
+@checked_arguments
+@dataclass(kw_only=True, slots=True, eq=False, repr=False)
+class SphericalSurface(Part):
+    """Part of a sphere: u is along the parallels, v along the meridians.
+
+    Attributes
+    ----------
+    center
+        Centre, length.
+    equator
+        Point of the equator on the meridian u = 0, length. It determines the radius.
+    axis
+        Direction from the centre to the pole, normal to the direction of ``equator``.
+    angle
+        Angle between the meridians u = 0 and u = 1, in radians.
+    latitudes
+        Latitudes of the parallels v = 0 and v = 1, in radians. The poles are not allowed.
+
+    """
+
+    _form = "ShellSurface"
+    _tag = "kind"
+    kind: ClassVar[Literal["sphere"]] = "sphere"
+
+    center: Vector
+    equator: Vector
+    axis: Vector
+    angle: float
+    latitudes: Numbers
+
+
+@checked_arguments
+@dataclass(kw_only=True, slots=True, eq=False, repr=False)
+class TwistedSurface(Part):
+    """Strip whose width rotates about its axis. u is along the axis, v along the width, with the axis at v =
+    ½.
+
+    Attributes
+    ----------
+    from_
+        Start of the axis, length.
+    to
+        End of the axis, length.
+    width
+        Width at the start, a vector normal to the axis, length.
+    twist
+        Rotation of the width from start to end, in radians.
+
+    """
+
+    _form = "ShellSurface"
+    _tag = "kind"
+    kind: ClassVar[Literal["twisted"]] = "twisted"
+
+    from_: Vector
+    to: Vector
+    width: Vector
+    twist: float
+
+
+ShellSurface: TypeAlias = FlatSurface | RevolvedSurface | SphericalSurface | TwistedSurface
+"""Middle surface of a shell as a map of (u, v).
+
+The normal is that of the directions of u and v by the right-hand rule.
 """
 
 
@@ -414,6 +547,43 @@ class Cable(Axis):
 
 @checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
+class Shell(Surface):
+    """Thin shell or plate.
+
+    Attributes
+    ----------
+    name
+        Name of the shell in joints, loads and probes.
+    surface
+        Middle surface in the reference state, which is free of stress.
+    elements
+        Numbers of elements along u and v.
+    thickness
+        Thickness, length (> 0).
+    material
+        Name of the material, a key of ``materials``. Or the material itself.
+    motion
+        Initial velocities in dynamics; at rest by default.
+
+    """
+
+    _form = "Body"
+    _tag = "kind"
+    kind: ClassVar[Literal["shell"]] = "shell"
+    _tables: ClassVar[Mapping[str, str]] = {
+        "material": "materials",
+    }
+
+    name: str = field(kw_only=False)
+    surface: ShellSurface
+    elements: Sequence[int]
+    thickness: float
+    material: str | Material
+    motion: InitialMotion | None = None
+
+
+@checked_arguments
+@dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class RigidBody(Frame):
     """Rigid body.
 
@@ -483,5 +653,5 @@ class PointMass(Point):
     surface: BodySurface | None = None
 
 
-Body: TypeAlias = Beam | Cable | RigidBody | PointMass
+Body: TypeAlias = Beam | Cable | Shell | RigidBody | PointMass
 """Body of the model."""

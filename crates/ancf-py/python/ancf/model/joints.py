@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import ClassVar, Literal, TypeAlias
 
@@ -33,6 +34,9 @@ __all__ = [
     "Revolute",
     "SlidingJoint",
     "Spherical",
+    "Support",
+    "SupportCondition",
+    "SupportedAxis",
     "Universal",
 ]
 
@@ -44,6 +48,24 @@ ClampedGradients: TypeAlias = Literal["all", "section"]
   elongation.
 * ``"section"``: The rotation of the section: it may change its size and shape, and the axis stretches freely,
   exact in tension. For a cable, the direction of the tangent.
+"""
+
+SupportedAxis: TypeAlias = Literal["x", "y", "z"]
+"""Global axis.
+
+* ``"x"``: x-axis.
+* ``"y"``: y-axis.
+* ``"z"``: z-axis.
+"""
+
+SupportCondition: TypeAlias = Literal["clamped", "hinged", "guided", "symmetry"]
+"""Motions that a support constrains.
+
+* ``"clamped"``: Displacements, and the rotation of the normal about the edge.
+* ``"hinged"``: Displacements.
+* ``"guided"``: Displacements along ``axes``, as at a diaphragm.
+* ``"symmetry"``: Symmetry with respect to the plane of the edge: displacements normal to the plane and
+  rotations about the edge are zero.
 """
 
 
@@ -375,6 +397,37 @@ class SlidingJoint(Part):
     spring: LinearSpring | None = None
 
 
+@checked_arguments
+@dataclass(kw_only=True, slots=True, eq=False, repr=False)
+class Support(Part):
+    """Support of an edge or of a node of a shell by the ground.
+
+    The normal of a Kirchhoff-Love shell rotates about an edge by the slope across it. Stretches stay free.
+
+    Attributes
+    ----------
+    name
+        Name in outputs and messages.
+    a
+        Edge or node of a shell, on which the reaction acts. Moments of the reaction of an edge refer to its
+        middle.
+    condition
+        Constrained motions. One of ``"clamped"``, ``"hinged"``, ``"guided"``, ``"symmetry"``.
+    axes
+        Global axes along which displacements are zero, for ``condition = "guided"``.
+
+    """
+
+    _form = "Joint"
+    _tag = "kind"
+    kind: ClassVar[Literal["support"]] = "support"
+
+    name: str = field(kw_only=False)
+    a: Place
+    condition: SupportCondition
+    axes: Sequence[SupportedAxis] | None = None
+
+
 Joint: TypeAlias = (
     Clamp
     | Revolute
@@ -389,6 +442,7 @@ Joint: TypeAlias = (
     | SlidingJoint
     | Bushing
     | Spring
+    | Support
 )
 """Joint between a body and the ground or another body.
 

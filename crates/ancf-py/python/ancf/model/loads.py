@@ -11,12 +11,14 @@ from typing import ClassVar, Literal, TypeAlias
 from ancf.model.base.arguments import checked_arguments
 from ancf.model.base.functions import TimeFunction
 from ancf.model.base.part import ForceFunction, Numbers, Part, Vector
-from ancf.model.base.places import Place, Position
+from ancf.model.base.places import EdgeName, Place, Position
 
 __all__ = [
     "BaseAcceleration",
     "DistributedForce",
     "DistributedMoment",
+    "EdgeForce",
+    "EdgeMoment",
     "ExternalForce",
     "FluidLoad",
     "Force",
@@ -24,6 +26,8 @@ __all__ = [
     "Load",
     "Moment",
     "Scales",
+    "SurfaceForce",
+    "SurfacePressure",
 ]
 
 
@@ -192,6 +196,116 @@ class DistributedMoment(Part):
 
 @checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
+class EdgeForce(Part):
+    """Force per length of an edge of a shell, of constant direction.
+
+    Attributes
+    ----------
+    body
+        Name of the shell.
+    edge
+        Edge. One of ``"u_start"``, ``"u_end"``, ``"v_start"``, ``"v_end"``.
+    force
+        Force per undeformed length in the global frame, force/length.
+    time
+        Function of time that multiplies the load. Statics ignores it. Default: ``1.0``.
+
+    """
+
+    _form = "Load"
+    _tag = "kind"
+    kind: ClassVar[Literal["edge_force"]] = "edge_force"
+
+    body: str
+    edge: EdgeName
+    force: Vector
+    time: TimeFunction | None = None
+
+
+@checked_arguments
+@dataclass(kw_only=True, slots=True, eq=False, repr=False)
+class EdgeMoment(Part):
+    """Moment per length of an edge of a shell, work-conjugate to the rotation of the surface.
+
+    Attributes
+    ----------
+    body
+        Name of the shell.
+    edge
+        Edge. One of ``"u_start"``, ``"u_end"``, ``"v_start"``, ``"v_end"``.
+    moment
+        Moment per undeformed length in the global frame, of a follower in the undeformed state; force.
+    follower
+        True for a load that rotates with the surface. Default: ``False``.
+    time
+        Function of time that multiplies the load. Statics ignores it. Default: ``1.0``.
+
+    """
+
+    _form = "Load"
+    _tag = "kind"
+    kind: ClassVar[Literal["edge_moment"]] = "edge_moment"
+
+    body: str
+    edge: EdgeName
+    moment: Vector
+    follower: bool | None = None
+    time: TimeFunction | None = None
+
+
+@checked_arguments
+@dataclass(kw_only=True, slots=True, eq=False, repr=False)
+class SurfaceForce(Part):
+    """Force per area of a shell, of constant direction.
+
+    Attributes
+    ----------
+    body
+        Name of the shell.
+    force
+        Force per undeformed area in the global frame, force/length².
+    time
+        Function of time that multiplies the load. Statics ignores it. Default: ``1.0``.
+
+    """
+
+    _form = "Load"
+    _tag = "kind"
+    kind: ClassVar[Literal["surface_force"]] = "surface_force"
+
+    body: str
+    force: Vector
+    time: TimeFunction | None = None
+
+
+@checked_arguments
+@dataclass(kw_only=True, slots=True, eq=False, repr=False)
+class SurfacePressure(Part):
+    """Pressure on a shell, a load that follows its normal and its area.
+
+    Attributes
+    ----------
+    body
+        Name of the shell.
+    pressure
+        Force per deformed area along the normal, which is that of u and v by the right-hand rule;
+        force/length². Negative values act against the normal.
+    time
+        Function of time that multiplies the load. Statics ignores it. Default: ``1.0``.
+
+    """
+
+    _form = "Load"
+    _tag = "kind"
+    kind: ClassVar[Literal["surface_pressure"]] = "surface_pressure"
+
+    body: str
+    pressure: float
+    time: TimeFunction | None = None
+
+
+@checked_arguments
+@dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class BaseAcceleration(Part):
     """Translational acceleration of the ground. All results are relative to the ground.
 
@@ -287,7 +401,17 @@ class ExternalForce(Part):
 
 
 Load: TypeAlias = (
-    Force | Moment | DistributedForce | DistributedMoment | BaseAcceleration | FluidLoad | ExternalForce
+    Force
+    | Moment
+    | DistributedForce
+    | DistributedMoment
+    | EdgeForce
+    | EdgeMoment
+    | SurfaceForce
+    | SurfacePressure
+    | BaseAcceleration
+    | FluidLoad
+    | ExternalForce
 )
 """Load on bodies. Gravity is a key of the model."""
 

@@ -8,6 +8,7 @@ use ancf_mechanics::constraints::{
 use ancf_mechanics::forces::{Friction, Spring, Strut};
 use ancf_mechanics::functions::Function;
 use ancf_mechanics::kinematics::{Attachment, BodyVector, Directions, ElementAxis};
+use ancf_mechanics::shells::ShellMesh;
 use nalgebra::Vector3;
 
 use super::actions::JointActions;
@@ -28,6 +29,8 @@ pub(crate) struct JointEnds<'a> {
     pub(crate) stated: &'a End,
     /// Element axes of the second body and the arc length there, for points that slide along it.
     pub(crate) beam: Option<(Vec<ElementAxis>, f64)>,
+    /// Mesh of the first body, if it is a shell.
+    pub(crate) shell: Option<&'a ShellMesh>,
     /// Default of [`ClampedGradients`]: true for a beam of the continuum formulation on the ground, on a rigid body, or on another
     /// one with parallel sections. Elsewhere equal gradients would couple strains of different directions or laws.
     pub(crate) all_gradients: bool,
@@ -93,6 +96,11 @@ impl<'a> JointBuilder<'a> {
         self.ends.b
     }
 
+    /// Mesh of the first body, if it is a shell.
+    pub fn shell(&self) -> Option<&'a ShellMesh> {
+        self.ends.shell
+    }
+
     /// Function of time for the analysis: constant in statics, where loads and drives grow by the load factor.
     pub fn function(&self, time: &TimeFunction) -> Function {
         self.time_mode.function(time)
@@ -135,7 +143,9 @@ impl<'a> JointBuilder<'a> {
         fix: Option<ClampedGradients>,
     ) {
         let (here, fix) = (self.a(), self.fixed(fix));
-        if let (Directions::Section(_, frame), ClampedGradients::Section) = (&here.directions, fix) {
+        if let (Directions::Section(_, frame) | Directions::Surface(frame), ClampedGradients::Section) =
+            (&here.directions, fix)
+        {
             let first = self.multipliers(3);
             return self.add(SectionDrive::new(frame, axis, angle, function.clone(), first));
         }

@@ -2,7 +2,7 @@
 
 use ancf_mechanics::bodies::normals_to;
 use ancf_mechanics::constraints::{BilinearMeasure, MeasureFactor, MeasureTarget};
-use ancf_mechanics::kinematics::Directions::{Line, None, Rigid, Section};
+use ancf_mechanics::kinematics::Directions::{Line, None, Rigid, Section, Surface};
 use ancf_mechanics::kinematics::{Attachment, BodyVector, Marker, SectionFrame};
 use nalgebra::Vector3;
 
@@ -37,8 +37,10 @@ fn clamp(builder: &mut JointBuilder<'_>, fix: ClampedGradients) {
         (Rigid(_), Section(..)) if fix == ClampedGradients::All => {
             builder.coincide_directions(&reference(there));
         }
-        (Section(_, frame), Section(..) | Rigid(_)) => clamp_section(builder, frame, there, true),
-        (Rigid(_), Section(_, frame)) => clamp_section(builder, frame, here, false),
+        (Section(_, frame) | Surface(frame), Section(..) | Surface(_) | Rigid(_)) => {
+            clamp_section(builder, frame, there, true);
+        }
+        (Rigid(_), Section(_, frame) | Surface(frame)) => clamp_section(builder, frame, here, false),
         // A line has a tangent only: it stays normal to the directions across it at the other end.
         (Line(tangent), Line(other)) if lines_corner(tangent, other) => {
             builder.keep_angle(tangent, other, Option::None);
@@ -49,8 +51,8 @@ fn clamp(builder: &mut JointBuilder<'_>, fix: ClampedGradients) {
         {
             builder.coincide_directions(&[tangent.reference()]);
         }
-        (Line(_), Section(..) | Rigid(_)) => keep_normal(builder, here, there, true),
-        (Section(..) | Rigid(_), Line(_)) => keep_normal(builder, there, here, false),
+        (Line(_), Section(..) | Surface(_) | Rigid(_)) => keep_normal(builder, here, there, true),
+        (Section(..) | Surface(_) | Rigid(_), Line(_)) => keep_normal(builder, there, here, false),
     }
 }
 

@@ -110,7 +110,9 @@ pub(crate) fn swing(a: &Attachment, b: &Attachment, [e, u, v]: [Vector3<f64>; 3]
 /// axes.
 pub(crate) fn hinge(a: &Attachment, b: &Attachment, axis: Vector3<f64>) -> [BodyVector; 3] {
     let of_section = [a, b].into_iter().find_map(|end| match &end.directions {
-        Directions::Section(_, frame) => Some(normal_along(axis, frame.reference())),
+        Directions::Section(_, frame) | Directions::Surface(frame) => {
+            Some(normal_along(axis, frame.reference()))
+        }
         _ => None,
     });
     let u = of_section.unwrap_or_else(|| normals_to(axis)[0]);

@@ -1,6 +1,6 @@
 use ancf_mechanics::constraints::{
-    CoincidenceConstraint, ConstantAngle, GroupedConstraint, HingeAngle, MeasureConstraint, RotationDrive,
-    SectionDrive, SlideConstraint, TwistAngle, Wrench,
+    CoincidenceConstraint, ConstantAngle, GroupedConstraint, HingeAngle, LinearConstraint, MeasureConstraint,
+    RotationDrive, SectionDrive, SlideConstraint, TwistAngle, Wrench,
 };
 use ancf_mechanics::forces::{Friction, Spring, Strut, SwingSpring};
 use ancf_solver::equations::{State, Term};
@@ -43,6 +43,7 @@ joint_terms! {
     MeasureConstraint: Self::grouped,
     Friction,
     HingeAngle,
+    LinearConstraint,
     RotationDrive,
     SectionDrive,
     SlideConstraint,

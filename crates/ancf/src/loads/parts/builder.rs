@@ -4,6 +4,7 @@ use ancf_mechanics::bodies::{BeamMesh, BodyTerms};
 use ancf_mechanics::forces::{ExternalForce, Force};
 use ancf_mechanics::functions::{ForceFunction, Function};
 use ancf_mechanics::kinematics::{Attachment, BodyVector, Marker};
+use ancf_mechanics::shells::ShellMesh;
 use ancf_solver::equations::Term;
 use nalgebra::Vector3;
 
@@ -63,6 +64,11 @@ impl<'a> LoadBuilder<'a> {
         let (_, body) = self.context.body(name)?;
         let (_, built) = self.bodies.iter().find(|(own, _)| own == name)?;
         Some((body, built.mesh()?))
+    }
+
+    /// Mesh of a shell of a name.
+    pub fn shell(&self, name: &str) -> Option<&'a ShellMesh> {
+        self.bodies.iter().find(|(own, _)| own == name)?.1.shell()
     }
 
     /// Names of all bodies.

@@ -1,4 +1,5 @@
 use ancf_mechanics::kinematics::ReferenceCurve;
+use ancf_mechanics::shells::ShellMesh;
 use nalgebra::Vector3;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -7,6 +8,7 @@ use super::formulation::Formulation;
 use super::motion::InitialMotion;
 use super::rigid::{PointMass, Rigid};
 use super::shape::Shape;
+use super::shell::{EdgeName, Shell};
 use super::surface::BodySurface;
 use crate::units::Scaled;
 
@@ -21,6 +23,8 @@ pub enum Body {
     Beam(Beam),
     /// Cable with axial and isotropic bending deformation, without torsion.
     Cable(Cable),
+    /// Thin shell or plate.
+    Shell(Shell),
     /// Rigid body.
     Rigid(Rigid),
     /// Point mass.
@@ -33,6 +37,7 @@ impl Body {
         match self {
             Self::Beam(beam) => &beam.name,
             Self::Cable(cable) => &cable.name,
+            Self::Shell(shell) => &shell.name,
             Self::Rigid(rigid) => &rigid.name,
             Self::Mass(mass) => &mass.name,
         }
@@ -43,7 +48,7 @@ impl Body {
         match self {
             Self::Beam(beam) => Some((&beam.section, &beam.material)),
             Self::Cable(cable) => Some((&cable.section, &cable.material)),
-            Self::Rigid(_) | Self::Mass(_) => None,
+            Self::Shell(_) | Self::Rigid(_) | Self::Mass(_) => None,
         }
     }
 
@@ -57,7 +62,7 @@ impl Body {
         match self {
             Self::Rigid(rigid) => rigid.surface.as_ref(),
             Self::Mass(mass) => mass.surface.as_ref(),
-            Self::Beam(_) | Self::Cable(_) => None,
+            Self::Beam(_) | Self::Cable(_) | Self::Shell(_) => None,
         }
     }
 
@@ -66,6 +71,7 @@ impl Body {
         match self {
             Self::Beam(beam) => &beam.motion,
             Self::Cable(cable) => &cable.motion,
+            Self::Shell(shell) => &shell.motion,
             Self::Rigid(rigid) => &rigid.motion,
             Self::Mass(mass) => &mass.motion,
         }
@@ -76,16 +82,17 @@ impl Body {
         match self {
             Self::Beam(beam) => beam.elements,
             Self::Cable(cable) => cable.elements,
+            Self::Shell(shell) => shell.elements[0].saturating_mul(shell.elements[1]),
             Self::Rigid(_) | Self::Mass(_) => 0,
         }
     }
 
-    /// Sets the number of elements of a flexible body.
+    /// Sets the number of elements of a beam or cable.
     pub const fn set_elements(&mut self, count: u32) {
         match self {
             Self::Beam(beam) => beam.elements = count,
             Self::Cable(cable) => cable.elements = count,
-            Self::Rigid(_) | Self::Mass(_) => {}
+            Self::Shell(_) | Self::Rigid(_) | Self::Mass(_) => {}
         }
     }
 
@@ -97,11 +104,12 @@ impl Body {
         }
     }
 
-    /// Start and end of the axis; the centre of a rigid body, twice.
-    pub const fn span(&self) -> [[f64; 3]; 2] {
+    /// Start and end of the axis; opposite corners of the box around a shell; the centre of a rigid body, twice.
+    pub fn span(&self) -> [[f64; 3]; 2] {
         match self {
             Self::Beam(beam) => [beam.from, beam.to],
             Self::Cable(cable) => [cable.from, cable.to],
+            Self::Shell(shell) => shell.corners(),
             Self::Rigid(Rigid { center, .. }) | Self::Mass(PointMass { center, .. }) => [*center; 2],
         }
     }
@@ -114,19 +122,23 @@ impl Body {
         match self {
             Self::Beam(beam) => beam.shape.curve(from, to),
             Self::Cable(_) => Shape::Straight.curve(from, to),
-            Self::Rigid(_) | Self::Mass(_) => None,
+            Self::Shell(_) | Self::Rigid(_) | Self::Mass(_) => None,
         }
     }
 
-    /// Length of the axis, 0 without an axis.
+    /// Length of the axis, or diagonal of the box around a shell; 0 for rigid bodies and point masses.
     pub fn length(&self) -> f64 {
+        if let Self::Shell(shell) = self {
+            return shell.extent();
+        }
         self.curve().map_or(0.0, |curve| curve.length())
     }
 
     /// Arc length of a position on the axis.
     pub fn arc_length(&self, at: At) -> f64 {
         match at {
-            At::Named(NamedPosition::Start) | At::Point(_) => 0.0,
+            _ if matches!(self, Self::Shell(_)) => 0.0,
+            At::Named(NamedPosition::Start) | At::Point(_) | At::Surface(_) | At::Edge(_) => 0.0,
             At::Named(NamedPosition::Center) => 0.5 * self.length(),
             At::Named(NamedPosition::End) => self.length(),
             At::Length(s) => s,
@@ -141,10 +153,16 @@ impl Body {
                 let (curve, s) = (self.curve()?, self.arc_length(at));
                 (s <= curve.length() * (1.0 + ON_AXIS)).then(|| from + curve.at(s).0)
             }
+            (Self::Shell(shell), at) => Some(shell.point(at.on_surface()?)),
             (Self::Rigid(_), At::Point(point)) => Some(Vector3::from(point)),
             (Self::Rigid(_) | Self::Mass(_), At::Named(NamedPosition::Center)) => Some(from),
             _ => None,
         }
+    }
+
+    /// Parameters (u, v) of a position on a shell; `None` for other bodies and positions.
+    pub fn shell_place(&self, at: At) -> Option<[f64; 2]> {
+        if matches!(self, Self::Shell(_)) { at.on_surface() } else { None }
     }
 
     /// Slope length ℓ, the factor of the nodal gradients.
@@ -152,7 +170,7 @@ impl Body {
         let slopes = match self {
             Self::Beam(beam) => beam.slopes,
             Self::Cable(cable) => cable.slopes,
-            Self::Rigid(_) | Self::Mass(_) => Slopes::Gradient,
+            Self::Shell(_) | Self::Rigid(_) | Self::Mass(_) => Slopes::Gradient,
         };
         match slopes {
             Slopes::Gradient => 1.0,
@@ -321,7 +339,7 @@ impl Place {
 /// Position on a body.
 ///
 /// On a beam or a cable: `"start"`, `"center"`, `"end"` or the arc length from the start. On a rigid body: `"center"` or a
-/// point.
+/// point. On a shell: `[u, v]`, or an edge as the end `a` of a support.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(untagged)]
 pub enum At {
@@ -335,6 +353,34 @@ pub enum At {
     ),
     /// Point of a rigid body in the global frame at the start, length.
     Point(#[unit(length)] [f64; 3]),
+    /// Parameters u and v of a point of a shell, from 0 to 1.
+    Surface(
+        #[unit(none)]
+        #[schemars(inner(range(min = 0, max = 1)))]
+        [f64; 2],
+    ),
+    /// Edge of a shell.
+    Edge(EdgePlace),
+}
+
+/// Edge of a shell as a place.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
+#[serde(deny_unknown_fields)]
+pub struct EdgePlace {
+    /// Name of the edge.
+    pub edge: EdgeName,
+}
+
+impl At {
+    /// Parameters (u, v) on a shell: of a point, of the middle, or of the middle of an edge.
+    pub(crate) fn on_surface(self) -> Option<[f64; 2]> {
+        match self {
+            Self::Named(NamedPosition::Center) => Some([0.5, 0.5]),
+            Self::Surface(at) => Some(at),
+            Self::Edge(EdgePlace { edge }) => Some(ShellMesh::edge_middle(edge.edge())),
+            Self::Named(_) | Self::Length(_) | Self::Point(_) => None,
+        }
+    }
 }
 
 /// Named positions.

@@ -51,6 +51,7 @@ const fn elements(body: &Body) -> u32 {
     match body {
         Body::Beam(beam) => beam.elements,
         Body::Cable(cable) => cable.elements,
+        Body::Shell(shell) => shell.elements[0].saturating_mul(shell.elements[1]),
         Body::Rigid(_) | Body::Mass(_) => 1,
     }
 }

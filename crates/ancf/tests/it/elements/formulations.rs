@@ -142,7 +142,7 @@ fn tension_with_free_contraction_has_modulus_e() {
             let mesh = assembly.mesh("rod").unwrap();
             for vector in mesh.vectors(&assembly.rest()) {
                 let size = match vector.kind {
-                    VectorKind::Position | VectorKind::Slope => stretch,
+                    VectorKind::Position | VectorKind::Slope | VectorKind::Twist => stretch,
                     VectorKind::Y | VectorKind::Z => contraction,
                 };
                 for axis in 0..3 {

@@ -1,4 +1,4 @@
-//! Beam and cable elements.
+//! Elements of beams, cables and shells.
 
 mod batches;
 mod cable;
@@ -6,4 +6,5 @@ mod continuum_energy;
 mod formulations;
 mod large_rotations;
 mod properties;
+mod shells;
 mod thick_bending;

@@ -14,6 +14,7 @@ use super::frames::frame_terms;
 use super::immersed::{immersed_terms, meshes};
 use super::joint_terms::joint_terms;
 use super::kind::TermKind;
+use super::shells::shell_terms;
 use crate::common::models::beams::{BeamCase, beam_cases};
 use crate::common::models::cables;
 
@@ -123,5 +124,5 @@ pub(super) fn terms() -> Vec<TermCase> {
     });
     let free = beams(gravity).chain(constraints).chain(followers()).chain(cable_elements(gravity));
     let free = free.chain(immersed).chain(joints).chain(rigid_bodies(gravity));
-    free.chain(contact_terms()).chain([external()]).collect()
+    free.chain(contact_terms()).chain([external()]).chain(shell_terms()).collect()
 }

@@ -10,9 +10,7 @@ use nalgebra::{DMatrix, DVector, SymmetricEigen};
 use super::cases::{TermCase, terms};
 use super::kind::TermKind;
 use crate::common::random::Random;
-use crate::common::sample::{
-    Sample, derivative, energy, extrapolated_derivative, residual, rounding, sizes, tangent,
-};
+use crate::common::sample::{Sample, energy, extrapolated_derivative, residual, rounding, sizes, tangent};
 
 /// Asserts that two vectors agree relative to the larger one, at least to one.
 pub(super) fn assert_close(what: &str, a: &DVector<f64>, b: &DVector<f64>, tolerance: f64) {
@@ -38,7 +36,7 @@ fn assert_tangent(TermCase { name, term, kind }: &TermCase, s: &Sample, z: &DVec
             let moved = Sample { q: &s.q + &s.v * h, ..s.clone() };
             scalar(z.dot(&(tangent(term, &moved, Weights { q: 0.0, v: 1.0, a: 0.0 }) * z)))
         };
-        let omitted = derivative(damping) * (0.5 * w.q);
+        let omitted = kind.derivative(damping) * (0.5 * w.q);
         (product, slope) = (scalar(product.dot(z)) + omitted, scalar(slope.dot(z)));
     }
     if matches!(kind, TermKind::Damped | TermKind::NonConservative) {

@@ -6,9 +6,9 @@ from collections.abc import Sequence
 from typing import ClassVar, Literal
 
 from ancf.model.base.part import Part, Vector
-from ancf.model.base.places import Place
+from ancf.model.base.places import EdgeName, EdgePlace, Place
 
-__all__ = ["Axis", "Frame", "Point"]
+__all__ = ["Axis", "Frame", "Point", "Surface"]
 
 
 class Axis(Part):
@@ -63,6 +63,39 @@ class Frame(Part):
 
         """
         return Place(body=self.name, at=at, offset=offset)
+
+
+class Surface(Part):
+    """A shell. Points of its surface and its edges are places."""
+
+    __slots__ = ()
+    _places: ClassVar[Sequence[str]] = ("at(u, v)", "edge(name)")
+
+    name: str
+
+    def at(self, u: float = 0.5, v: float = 0.5, *, offset: Vector | None = None) -> Place:
+        """Return the place of a point, in the middle by default.
+
+        Parameters
+        ----------
+        u, v
+            Parameters of the point, from 0 to 1.
+        offset
+            Rigid arm from there, fixed to the surface, in the global frame at the start, length.
+
+        """
+        return Place(body=self.name, at=[u, v], offset=offset)
+
+    def edge(self, name: EdgeName) -> Place:
+        """Return the place of an edge, for supports.
+
+        Parameters
+        ----------
+        name
+            ``"u_start"``, ``"u_end"``, ``"v_start"`` or ``"v_end"``.
+
+        """
+        return Place(body=self.name, at=EdgePlace(edge=name))
 
 
 class Point(Part):

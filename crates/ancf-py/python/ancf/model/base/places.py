@@ -8,9 +8,9 @@ from dataclasses import dataclass, field
 from typing import Literal, TypeAlias
 
 from ancf.model.base.arguments import checked_arguments
-from ancf.model.base.part import Part, Vector
+from ancf.model.base.part import Numbers, Part, Vector
 
-__all__ = ["Ground", "JointEnd", "NamedPosition", "Place", "Position"]
+__all__ = ["EdgeName", "EdgePlace", "Ground", "JointEnd", "NamedPosition", "Place", "Position"]
 
 NamedPosition: TypeAlias = Literal["start", "center", "end"]
 """Named positions.
@@ -20,11 +20,38 @@ NamedPosition: TypeAlias = Literal["start", "center", "end"]
 * ``"end"``: End of the axis.
 """
 
-Position: TypeAlias = NamedPosition | float | Vector
+EdgeName: TypeAlias = Literal["u_start", "u_end", "v_start", "v_end"]
+"""Named edge of a shell.
+
+* ``"u_start"``: Edge u = 0.
+* ``"u_end"``: Edge u = 1.
+* ``"v_start"``: Edge v = 0.
+* ``"v_end"``: Edge v = 1.
+"""
+
+
+@checked_arguments
+@dataclass(kw_only=True, slots=True, eq=False, repr=False)
+class EdgePlace(Part):
+    """Edge of a shell as a place.
+
+    Attributes
+    ----------
+    edge
+        Name of the edge. One of ``"u_start"``, ``"u_end"``, ``"v_start"``, ``"v_end"``.
+
+    """
+
+    _form = "EdgePlace"
+
+    edge: EdgeName
+
+
+Position: TypeAlias = NamedPosition | float | Vector | Numbers | EdgePlace
 """Position on a body.
 
 On a beam or a cable: ``"start"``, ``"center"``, ``"end"`` or the arc length from the start. On a rigid body:
-``"center"`` or a point.
+``"center"`` or a point. On a shell: ``[u, v]``, or an edge as the end ``a`` of a support.
 """
 
 

@@ -1,0 +1,282 @@
+use std::sync::Arc;
+
+use ancf_solver::equations::{
+    Energy, Inadmissibility, Local, LocalMatrix, LocalStep, Term, Weights, velocity_forces,
+};
+use nalgebra::Vector3;
+use pulp::Arch;
+
+use super::hermite::{Shape, VECTORS};
+use super::profile::{POINTS, ShellMedium, ShellProfile, ShellTables, sum};
+use super::rounding::add_rounding;
+use super::stiffness::{SIZE, Square};
+use super::surface_state::{ShellStrains, SurfaceState};
+use crate::kinematics::relative_rotation;
+
+/// Area of the surface, relative to the reference, below which an element counts as inverted.
+const CRUSHED: f64 = 1e-2;
+
+/// Thin shell element: bicubic Hermite surface with the nodal vectors r, r_ξ, r_η, r_ξη, and Kirchhoff-Love strains.
+///
+/// Coordinates are the components of the vectors minus their reference values. The membrane strains ½ (a_αβ − A_αβ) are evaluated
+/// at 3 × 3 Lobatto points and interpolated, which prevents membrane locking. The curvatures b_αβ = r_,αβ · n are exact, at 4 × 4
+/// Gauss points. Stresses are linear in them (St. Venant-Kirchhoff law in plane stress, [`ShellSection`](super::ShellSection)).
+/// The mass matrix is constant; rotary inertia of the sections is neglected.
+///
+/// Source: Bogner, Fox & Schmit (1965), shape functions; Dmitrochenko & Pogorelov (2003), coordinates; Kiendl et al. (2009), strains.
+#[derive(Clone, Debug)]
+pub struct Shell48 {
+    coordinates: Vec<usize>,
+    tables: Arc<ShellTables>,
+    profile: Arc<ShellProfile>,
+}
+
+/// Returns the nodal vectors of a slice of coordinates.
+fn vectors(x: &[f64]) -> [Vector3<f64>; VECTORS] {
+    std::array::from_fn(|i| Vector3::new(x[3 * i], x[3 * i + 1], x[3 * i + 2]))
+}
+
+impl Shell48 {
+    /// Creates elements with common shape functions. Each has 48 coordinates and its nodal vectors in the reference state.
+    pub fn all(
+        elements: impl IntoIterator<Item = (Vec<usize>, [Vector3<f64>; VECTORS])>,
+        medium: &ShellMedium,
+    ) -> Vec<Self> {
+        let tables = Arc::new(ShellTables::new());
+        let element = |(coordinates, reference): (Vec<usize>, _)| {
+            let profile = Arc::new(ShellProfile::new(&tables, &reference, medium));
+            Self { coordinates, tables: Arc::clone(&tables), profile }
+        };
+        elements.into_iter().map(element).collect()
+    }
+
+    /// Returns the constant data.
+    pub fn profile(&self) -> &ShellProfile {
+        &self.profile
+    }
+
+    /// Returns the strain energy, from the coordinates of the element.
+    pub fn strain_energy(&self, q: &[f64]) -> f64 {
+        let strains = self.state(q).strains;
+        let stress = self.profile.stress(&self.tables, &strains);
+        let membrane: f64 = stress.membrane.iter().zip(&strains.membrane).map(|(n, e)| n * e).sum();
+        let bending: f64 = stress.bending.iter().zip(&strains.bending).map(|(m, k)| m.dot(k)).sum();
+        0.5 * (membrane + bending)
+    }
+
+    fn state(&self, q: &[f64]) -> SurfaceState {
+        SurfaceState::new(&self.tables, &self.profile, &vectors(q))
+    }
+
+    fn mass_times(&self, x: &[Vector3<f64>; VECTORS]) -> [Vector3<f64>; VECTORS] {
+        std::array::from_fn(|a| sum(&self.profile.mass[a], x))
+    }
+
+    /// Computes the forces of inertia, of the mass-proportional damping and of gravity.
+    fn inertia(&self, at: &Local<'_>) -> [Vector3<f64>; VECTORS] {
+        let ShellMedium { mass_damping, gravity, .. } = self.profile.medium;
+        let mut moved = vectors(at.a);
+        if mass_damping != 0.0 {
+            moved.iter_mut().zip(vectors(at.v)).for_each(|(a, v)| *a += v * mass_damping);
+        }
+        let mut force = self.mass_times(&moved);
+        for (force, first) in force.iter_mut().zip(&self.profile.first) {
+            *force -= gravity * (at.load * first);
+        }
+        force
+    }
+
+    /// Computes the strain rates times the retardation time.
+    fn retarded(&self, state: &SurfaceState, at: &Local<'_>) -> ShellStrains {
+        let (mut strains, time) = (ShellStrains::ZERO, self.profile.medium.retardation);
+        if time != 0.0 {
+            strains.add(time, &state.rates(&self.tables, &vectors(at.v)));
+        }
+        strains
+    }
+
+    /// Computes the stresses of a state, with those of the damping.
+    fn stress(&self, state: &SurfaceState, at: &Local<'_>) -> ShellStrains {
+        let mut strains = self.retarded(state, at);
+        strains.add(1.0, &state.strains);
+        self.profile.stress(&self.tables, &strains)
+    }
+
+    /// Computes `material` times the material stiffness plus the stiffness of stresses.
+    ///
+    /// The loops are compiled for the vector units of the machine.
+    fn stiffness(&self, state: &SurfaceState, material: f64, stress: &ShellStrains) -> Square {
+        let (tables, profile) = (&*self.tables, &*self.profile);
+        Arch::new().dispatch(|| {
+            let mut square = [[0.0; SIZE]; SIZE];
+            state.add_stiffness(tables, profile, (material, stress), &mut square);
+            square
+        })
+    }
+
+    /// Adds the tangent for a surface and its stresses.
+    fn add_tangent(&self, state: &SurfaceState, stress: &ShellStrains, w: Weights, k: &mut LocalMatrix<'_>) {
+        let profile = &self.profile;
+        let material = w.q + w.v * profile.medium.retardation;
+        let mut scaled = ShellStrains::ZERO;
+        scaled.add(w.q, stress);
+        let mut square = self.stiffness(state, material, &scaled);
+        let inertia = w.a + profile.medium.mass_damping * w.v;
+        if inertia != 0.0 {
+            for (a, row) in profile.mass.iter().enumerate() {
+                for (b, mass) in row[..=a].iter().enumerate() {
+                    (0..3).for_each(|i| square[3 * b + i][3 * a + i] += inertia * mass);
+                }
+            }
+        }
+        add_square(&square, k);
+    }
+
+    /// Computes the stresses of a step, with moments that do the work of the stresses on the exact changes of curvature.
+    ///
+    /// The membrane strains are quadratic in q: B(q_m) Δq is their exact change. The moments m of a point get the correction
+    /// D d (m·(Δκ − d))/(d·D d), d = B(q_m) Δq.
+    ///
+    /// Source: Gonzalez (2000), discrete derivatives in the strains: momenta are preserved.
+    fn step_stress(&self, middle: &SurfaceState, step: &LocalStep<'_>) -> ShellStrains {
+        let [before, after] = [&step.from, &step.to].map(|at| self.state(at.q).strains);
+        let (mut strains, [of_before, of_after]) = (ShellStrains::ZERO, step.shares());
+        strains.add(of_before, &before);
+        strains.add(of_after, &after);
+        let mut stress = self.profile.stress(&self.tables, &strains);
+        let (from, to) = (vectors(step.from.q), vectors(step.to.q));
+        let moved = middle.rates(&self.tables, &std::array::from_fn(|a| to[a] - from[a]));
+        let sizes: f64 = to.iter().chain(&from).map(|x| x.norm()).sum();
+        for k in 0..POINTS {
+            let (m, d) = (stress.bending[k], moved.bending[k]);
+            let missed = after.bending[k] - before.bending[k] - d;
+            let stiffness = self.profile.points[k].bending * d;
+            let (work, square) = (m.dot(&missed), d.dot(&stiffness));
+            let curved = before.bending[k].norm() + after.bending[k].norm() + d.norm();
+            let bound = 8.0 * f64::EPSILON * m.norm() * (curved + sizes);
+            if work.abs() > bound && square > 0.0 {
+                stress.bending[k] += stiffness * (work / square);
+            }
+        }
+        stress.add(1.0, &self.profile.stress(&self.tables, &self.retarded(middle, &step.middle)));
+        stress
+    }
+
+    fn add_forces(&self, state: &SurfaceState, stress: &ShellStrains, at: &Local<'_>, r: &mut [f64]) {
+        let mut force = self.inertia(at);
+        state.distribute(&self.tables, stress, &mut force);
+        r.iter_mut().zip(force.iter().flatten()).for_each(|(row, force)| *row += force);
+    }
+}
+
+/// Adds the lower triangle of a matrix.
+fn add_square(square: &Square, k: &mut LocalMatrix<'_>) {
+    for (j, column) in square.iter().enumerate() {
+        for (i, value) in column.iter().enumerate().skip(j) {
+            k.add(i, j, *value);
+        }
+    }
+}
+
+impl Term for Shell48 {
+    fn coordinates(&self) -> &[usize] {
+        &self.coordinates
+    }
+
+    fn residual(&self, at: &Local<'_>, r: &mut [f64]) {
+        let state = self.state(at.q);
+        self.add_forces(&state, &self.stress(&state, at), at, r);
+    }
+
+    fn rounding(&self, at: &Local<'_>, floor: &mut [f64]) {
+        let (profile, state) = (&*self.profile, self.state(at.q));
+        let (moved, v) = (vectors(at.a).map(|a| a.norm()), vectors(at.v).map(|v| v.norm()));
+        let mut bound: Shape = std::array::from_fn(|a| {
+            let of = |b: usize| profile.mass[a][b].abs() * (moved[b] + profile.medium.mass_damping * v[b]);
+            let weight = (at.load * profile.first[a]).abs() * profile.medium.gravity.norm();
+            2.0 * f64::EPSILON * ((0..VECTORS).map(of).sum::<f64>() + weight)
+        });
+        let sizes = vectors(at.q).map(|q| q.norm());
+        let stress = self.stress(&state, at);
+        add_rounding(&self.tables, profile, [&sizes, &v], (&state, &stress), &mut bound);
+        floor.iter_mut().enumerate().for_each(|(i, floor)| *floor += bound[i / 3]);
+    }
+
+    fn tangent(&self, at: &Local<'_>, w: Weights, k: &mut LocalMatrix<'_>) {
+        let state = self.state(at.q);
+        self.add_tangent(&state, &self.stress(&state, at), w, k);
+    }
+
+    fn average_residual(&self, step: &LocalStep<'_>, r: &mut [f64]) {
+        let middle = self.state(step.middle.q);
+        self.add_forces(&middle, &self.step_stress(&middle, step), &step.middle, r);
+    }
+
+    fn average_tangent(&self, step: &LocalStep<'_>, w: Weights, k: &mut LocalMatrix<'_>) {
+        let middle = self.state(step.middle.q);
+        self.add_tangent(&middle, &self.step_stress(&middle, step), w, k);
+    }
+
+    fn has_stress_prediction(&self) -> bool {
+        true
+    }
+
+    fn stress_prediction(&self, at: &Local<'_>, from: &Local<'_>, k: &mut LocalMatrix<'_>) {
+        let (state, before) = (self.state(at.q), self.state(from.q));
+        let (now, then) = (vectors(at.q), vectors(from.q));
+        let linear = before.rates(&self.tables, &std::array::from_fn(|a| now[a] - then[a]));
+        let mut strains = before.strains;
+        strains.add(1.0, &linear);
+        strains.add(-1.0, &state.strains);
+        let stress = self.profile.stress(&self.tables, &strains);
+        add_square(&self.stiffness(&state, 0.0, &stress), k);
+    }
+
+    fn stress_stiffness(&self, at: &Local<'_>, by: &Local<'_>, k: &mut LocalMatrix<'_>) {
+        let state = self.state(at.q);
+        let strains = state.rates(&self.tables, &vectors(by.q));
+        let stress = self.profile.stress(&self.tables, &strains);
+        add_square(&self.stiffness(&state, 0.0, &stress), k);
+    }
+
+    fn inadmissibility(&self, at: &Local<'_>) -> Option<Inadmissibility> {
+        let state = self.state(at.q);
+        let is_admissible =
+            state.points.iter().zip(&self.profile.points).all(|(now, rest)| now.area > CRUSHED * rest.area);
+        (!is_admissible).then_some(Inadmissibility::InvertedElement)
+    }
+
+    fn rotation(&self, from: &Local<'_>, to: &Local<'_>) -> f64 {
+        let [from, to] = [from, to].map(|at| self.state(at.q));
+        let of = |k: usize| {
+            let [a, b] = [&from.points[k], &to.points[k]];
+            relative_rotation([
+                [a.tangents[0], b.tangents[0]],
+                [a.tangents[1], b.tangents[1]],
+                [a.normal, b.normal],
+            ])
+        };
+        (0..POINTS).map(of).fold(0.0, f64::max)
+    }
+
+    fn energy(&self, at: &Local<'_>) -> Energy {
+        let v = vectors(at.v);
+        let momentum = self.mass_times(&v);
+        let moved = sum(&self.profile.first, &vectors(at.q));
+        Energy {
+            kinetic: 0.5 * momentum.iter().zip(&v).map(|(p, v)| p.dot(v)).sum::<f64>(),
+            strain: self.strain_energy(at.q),
+            potential: -at.load * self.profile.medium.gravity.dot(&moved),
+        }
+    }
+
+    fn is_damped(&self) -> bool {
+        self.profile.medium.retardation != 0.0 || self.profile.medium.mass_damping != 0.0
+    }
+
+    fn damping_forces(&self, at: &Local<'_>, r: &mut [f64]) {
+        if self.is_damped() {
+            velocity_forces(self, at, r);
+        }
+    }
+}

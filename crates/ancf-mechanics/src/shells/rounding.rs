@@ -1,0 +1,130 @@
+//! Bounds of the rounding errors of the forces of a shell element.
+
+use super::hermite::{Shape, VECTORS};
+use super::profile::{MEMBRANE, MembraneSample, POINTS, ShellProfile, ShellTables};
+use super::surface_state::{ShellStrains, SurfaceState, VOIGT};
+
+/// Roundings in a sum of sixteen products, relative to the sum of their magnitudes.
+const SUM: f64 = 4.0 * f64::EPSILON;
+
+fn size(shape: &Shape, x: &Shape) -> f64 {
+    shape.iter().zip(x).map(|(shape, x)| shape.abs() * x).sum()
+}
+
+/// Adds the bounds for an element with displacements and velocities of the given magnitudes.
+pub(crate) fn add_rounding(
+    tables: &ShellTables,
+    profile: &ShellProfile,
+    [q, v]: [&Shape; 2],
+    (state, stress): (&SurfaceState, &ShellStrains),
+    bound: &mut Shape,
+) {
+    let time = profile.medium.retardation;
+    let mut errors = [0.0; MEMBRANE];
+    let mut bending = [[0.0; 3]; POINTS];
+    let mut amplified = [0.0; POINTS];
+    for (t, reference) in profile.samples.iter().enumerate() {
+        let MembraneSample { component, shapes, .. } = &tables.samples[t];
+        let [u, w] = shapes.each_ref().map(|shape| size(shape, q));
+        let [x, y] = shapes.each_ref().map(|shape| time * size(shape, v));
+        let [a, b] = [reference[0].norm() + u, reference[1].norm() + w];
+        errors[t] = SUM
+            * match component {
+                0 => a * (u + x),
+                1 => b * (w + y),
+                _ => a * (w + y) + b * (u + x),
+            };
+    }
+    for (k, point) in state.points.iter().enumerate() {
+        let (shapes, reference) = (&tables.points[k], &profile.points[k].reference);
+        let sizes = shapes.each_ref().map(|shape| size(shape, q));
+        let rates = shapes.each_ref().map(|shape| time * size(shape, v));
+        let dual = point.dual.map(|a| a.norm());
+        let turned = sizes[0] * dual[0] + sizes[1] * dual[1];
+        amplified[k] = 1.0 + turned;
+        for i in 0..3 {
+            let second = reference[i + 2].norm() + sizes[i + 2];
+            let rate = rates[i + 2] + second * (rates[0] * dual[0] + rates[1] * dual[1]);
+            bending[k][i] = VOIGT[i] * SUM * amplified[k] * (sizes[i + 2] + second * turned + rate);
+        }
+    }
+    add_membrane(tables, profile, (state, stress), (&errors, &bending), bound, q);
+    add_bending(tables, profile, (state, stress), (&errors, &bending, &amplified), bound, q);
+}
+
+type Errors<'a> = (&'a [f64; MEMBRANE], &'a [[f64; 3]; POINTS]);
+
+fn add_membrane(
+    tables: &ShellTables,
+    profile: &ShellProfile,
+    (state, stress): (&SurfaceState, &ShellStrains),
+    (errors, bending): Errors<'_>,
+    bound: &mut Shape,
+    q: &Shape,
+) {
+    let strains = &state.strains;
+    let mut error: [f64; MEMBRANE] = std::array::from_fn(|r| {
+        let row = profile.membrane[r].iter().zip(errors).zip(&strains.membrane);
+        row.map(|((d, error), strain)| d.abs() * (error + SUM * strain.abs())).sum()
+    });
+    if profile.is_coupled {
+        for (k, point) in profile.points.iter().enumerate() {
+            for (r, error) in error.iter_mut().enumerate() {
+                let of = |j: usize| {
+                    let i = tables.samples[r].component;
+                    point.coupling[(i, j)].abs() * (bending[k][j] + SUM * strains.bending[k][j].abs())
+                };
+                *error += tables.sampling[k][r].abs() * (0..3).map(of).sum::<f64>();
+            }
+        }
+    }
+    for (t, MembraneSample { component, shapes: [x, y], .. }) in tables.samples.iter().enumerate() {
+        let [u, w] = [x, y].map(|shape| size(shape, q));
+        let [a, b] = [profile.samples[t][0].norm() + u, profile.samples[t][1].norm() + w];
+        let of = error[t] + SUM * stress.membrane[t].abs();
+        for i in 0..VECTORS {
+            let (x, y) = (x[i].abs(), y[i].abs());
+            bound[i] += of
+                * match component {
+                    0 => x * a,
+                    1 => y * b,
+                    _ => y * a + x * b,
+                };
+        }
+    }
+}
+
+fn add_bending(
+    tables: &ShellTables,
+    profile: &ShellProfile,
+    (state, stress): (&SurfaceState, &ShellStrains),
+    (errors, bending, amplified): (&[f64; MEMBRANE], &[[f64; 3]; POINTS], &[f64; POINTS]),
+    bound: &mut Shape,
+    q: &Shape,
+) {
+    for (k, point) in state.points.iter().enumerate() {
+        let shapes = &tables.points[k];
+        let own = &profile.points[k];
+        let dual = point.dual.map(|a| a.norm());
+        for i in 0..3 {
+            let mut error: f64 = (0..3)
+                .map(|j| {
+                    own.bending[(i, j)].abs() * (bending[k][j] + SUM * state.strains.bending[k][j].abs())
+                })
+                .sum();
+            if profile.is_coupled {
+                for (r, strain) in state.strains.membrane.iter().enumerate() {
+                    error += tables.sampling[k][r].abs()
+                        * own.coupling[(tables.samples[r].component, i)].abs()
+                        * (errors[r] + SUM * strain.abs());
+                }
+            }
+            let error = VOIGT[i] * (error + SUM * amplified[k] * stress.bending[k][i].abs());
+            let second = own.reference[i + 2].norm() + size(&shapes[i + 2], q);
+            for a in 0..VECTORS {
+                let tangential = dual[0] * shapes[0][a].abs() + dual[1] * shapes[1][a].abs();
+                bound[a] += error * (shapes[i + 2][a].abs() + second * tangential);
+            }
+        }
+    }
+}

@@ -1,0 +1,5 @@
+//! Checks of shells.
+
+mod rules;
+
+pub(super) use rules::shells;

@@ -1,0 +1,196 @@
+//! Checks of shells, and refusal of what they do not support.
+
+use nalgebra::Vector3;
+
+use crate::errors::{Finding, finding, number, quoted};
+use crate::joints::{ClampedGradients, End, Joint};
+use crate::loads::Load;
+use crate::model::{
+    At, Body, IndexedModel, MaterialLaw, Place, Shell, ShellSurface, joints_of, loads_of, shells_of,
+};
+
+/// Largest angle of an element of a surface of revolution. Beyond it, the interpolated surface differs from it by more than 0.1 %.
+const LARGEST_ANGLE: f64 = 0.79;
+/// Sine of the angle of the lines of a surface below which it is degenerate, and the relative length of their tangents.
+const DEGENERATE: f64 = 1e-3;
+/// Distance of a place from a node, in elements, that counts as rounding.
+const ON_NODE: f64 = 1e-9;
+
+/// Checks that materials exist, that surfaces are regular, and that joints act on nodes.
+pub(crate) fn shells(model: &IndexedModel<'_>) -> Vec<Finding> {
+    let mut findings = Vec::new();
+    for (path, shell) in shells_of(model) {
+        findings.extend(rule_of_material(model, &path, shell));
+        findings.extend(rule_of_surface(&path, shell));
+    }
+    if shells_of(model).next().is_none() {
+        return findings;
+    }
+    findings.extend(joints_of(model).flat_map(|(path, joint)| rules_of_joint(model, &path, joint)));
+    findings.extend(loads_of(model).filter_map(|(path, load)| rule_of_load(model, &path, load)));
+    findings.extend(rules_of_probes(model));
+    findings.extend(rules_of_contacts(model));
+    if model.output.errors {
+        let expected = "false: the errors of meshes of shells are not estimated; compare with a finer mesh";
+        findings
+            .push(finding("output.errors".into(), "true with a shell", expected).rests_on(["bodies".into()]));
+    }
+    findings
+}
+
+fn rule_of_material(model: &IndexedModel<'_>, path: &str, shell: &Shell) -> Option<Finding> {
+    let key = format!("{path}.material");
+    let Some(material) = model.materials.get(&shell.material) else {
+        let expected = "the name of a material, a key of `materials`";
+        return Some(finding(key, quoted(&shell.material), expected).rests_on(["materials".into()]));
+    };
+    (material.law == MaterialLaw::NeoHookean).then(|| {
+        let expected = "one whose law is \"st_venant_kirchhoff\"";
+        finding(key, "a neo-Hookean material of a shell", expected).rests_on(["materials".into()])
+    })
+}
+
+/// Checks that the surface is regular, and that its elements are not too large for its curvature.
+fn rule_of_surface(path: &str, shell: &Shell) -> Option<Finding> {
+    let [n, m] = shell.elements.map(|count| count.min(64) as usize);
+    let places = (0..=2 * n)
+        .flat_map(|i| (0..=2 * m).map(move |j| [i as f64 / (2 * n) as f64, j as f64 / (2 * m) as f64]));
+    let places: Vec<[f64; 2]> = places.collect();
+    let lengths = |k: usize| places.iter().map(|at| shell.map(*at)[k].norm()).fold(0.0, f64::max);
+    let largest = [lengths(1), lengths(2)];
+    let is_regular = |at: &[f64; 2]| {
+        let [_, a, b, _] = shell.map(*at);
+        let sine = a.cross(&b).norm() / (a.norm() * b.norm());
+        sine > DEGENERATE && a.norm() > DEGENERATE * largest[0] && b.norm() > DEGENERATE * largest[1]
+    };
+    if let Some([u, v]) = places.iter().find(|at| !is_regular(at)) {
+        let element = [u * f64::from(shell.elements[0]), v * f64::from(shell.elements[1])];
+        let found = format!(
+            "a surface without normal at [u, v] = [{}, {}], element {}, {}",
+            number(*u),
+            number(*v),
+            number(element[0].floor() + 1.0),
+            number(element[1].floor() + 1.0)
+        );
+        let expected = "a surface whose lines along u and v have lengths above 0 and different directions";
+        return Some(finding(format!("{path}.surface"), found, expected));
+    }
+    if let ShellSurface::Sphere { center, equator, axis, .. } = &shell.surface {
+        let radius = Vector3::from(*equator) - Vector3::from(*center);
+        let cosine = radius.normalize().dot(&Vector3::from(*axis).normalize());
+        if cosine.abs() > 1e-9 {
+            let expected = "a direction normal to that from `center` to `equator`";
+            return Some(finding(format!("{path}.surface.axis"), "a direction that is not normal", expected));
+        }
+    }
+    if let ShellSurface::Twisted { from, to, width, .. } = &shell.surface {
+        let axis = (Vector3::from(*to) - Vector3::from(*from)).normalize();
+        if Vector3::from(*width).normalize().dot(&axis).abs() > 1e-9 {
+            let expected = "a vector normal to the axis";
+            return Some(finding(format!("{path}.surface.width"), "a vector that is not normal", expected));
+        }
+    }
+    let angles = match &shell.surface {
+        ShellSurface::Flat { .. } => [0.0; 2],
+        ShellSurface::Revolved { angle, .. } => [*angle, 0.0],
+        ShellSurface::Sphere { angle, latitudes, .. } => [*angle, latitudes[1] - latitudes[0]],
+        ShellSurface::Twisted { twist, .. } => [*twist, 0.0],
+    };
+    (0..2).find_map(|k| {
+        let least = (angles[k].abs() / LARGEST_ANGLE).ceil();
+        (f64::from(shell.elements[k]) < least).then(|| {
+            let expected =
+                format!("at least {}, so that an element turns by at most 45 degrees", number(least));
+            finding(format!("{path}.elements[{k}]"), number(f64::from(shell.elements[k])), expected)
+                .rests_on([format!("{path}.surface")])
+        })
+    })
+}
+
+/// Shell of a place.
+fn shell_of<'m>(model: &IndexedModel<'m>, place: &Place) -> Option<&'m Shell> {
+    match model.named(&place.body)?.1 {
+        Body::Shell(shell) => Some(shell),
+        _ => None,
+    }
+}
+
+/// Checks that joints act on nodes of shells, and on edges only if they are supports.
+fn rules_of_joint(model: &IndexedModel<'_>, path: &str, joint: &Joint) -> Vec<Finding> {
+    let (a, b) = joint.ends();
+    let b = if let End::Place(b) = b { Some(("b", b)) } else { None };
+    let ends = [("a", a)].into_iter().chain(b);
+    let of_end = |(end, place): (&str, &Place)| {
+        let shell = shell_of(model, place)?;
+        let key = format!("{path}.{end}.at");
+        let all = match joint {
+            Joint::Clamp(clamp) => clamp.fix == Some(ClampedGradients::All),
+            Joint::Drive(drive) => drive.fix == Some(ClampedGradients::All),
+            _ => false,
+        };
+        if all {
+            let expected = "\"section\": the directors of a shell are its two tangents";
+            return Some(finding(format!("{path}.fix"), "\"all\" on a shell", expected));
+        }
+        if matches!(place.at, At::Edge(_)) {
+            let expected = "a node [u, v]; edges have joints of kind \"support\"";
+            return (!matches!(joint, Joint::Support(_))).then(|| finding(key, "an edge", expected));
+        }
+        let at = place.at.on_surface()?;
+        let off = |k: usize| {
+            let x = at[k] * f64::from(shell.elements[k]);
+            (x - x.round()).abs() > ON_NODE
+        };
+        (off(0) || off(1)).then(|| {
+            let found = format!("[{}, {}], which is no node", number(at[0]), number(at[1]));
+            let [n, m] = shell.elements;
+            let expected = format!("a node of the {n} x {m} elements: multiples of 1/{n} and 1/{m}");
+            finding(key, found, expected).rests_on(["bodies".into()])
+        })
+    };
+    ends.filter_map(of_end).collect()
+}
+
+/// Checks that point loads act on points of shells, and loads of shells on shells.
+fn rule_of_load(model: &IndexedModel<'_>, path: &str, load: &Load) -> Option<Finding> {
+    let place = load.on()?;
+    shell_of(model, place)?;
+    let expected = "a point [u, v]; edges have loads of kind \"edge_force\" and \"edge_moment\"";
+    matches!(place.at, At::Edge(_)).then(|| finding(format!("{path}.on.at"), "an edge", expected))
+}
+
+fn rules_of_probes(model: &IndexedModel<'_>) -> Vec<Finding> {
+    let probes = model.probes.iter().enumerate();
+    let on_shells = probes.filter(|(_, probe)| shell_of(model, &probe.on).is_some());
+    let rule = |(i, probe): (usize, &crate::model::Probe)| {
+        let path = format!("probes[{i}]");
+        if matches!(probe.on.at, At::Edge(_)) {
+            return Some(finding(format!("{path}.on.at"), "an edge", "a point [u, v]"));
+        }
+        (probe.offset != [0.0; 2]).then(|| {
+            let expected = "no offset: a shell has no cross-section; `on.offset` is an arm";
+            finding(format!("{path}.offset"), "an offset on a shell", expected)
+        })
+    };
+    on_shells.filter_map(rule).collect()
+}
+
+/// Rejects contacts that would include shells, which have no contact.
+fn rules_of_contacts(model: &IndexedModel<'_>) -> Vec<Finding> {
+    let contacts = model.contacts.iter().enumerate();
+    let rule = |(i, contact): (usize, &crate::model::Contact)| {
+        let path = format!("contacts[{i}]");
+        if contact.with.on().is_some_and(|place| shell_of(model, place).is_some()) {
+            let expected = "a beam, a rigid body or the ground: shells have no contact";
+            return Some(
+                finding(format!("{path}.with.on.body"), "a shell", expected).rests_on(["bodies".into()]),
+            );
+        }
+        contact.bodies.is_empty().then(|| {
+            let expected = "the names of the bodies in contact: shells have no contact";
+            let error = finding(path, "no `bodies` in a model with a shell", expected);
+            Finding { absence: true, ..error.rests_on(["bodies".into()]) }
+        })
+    };
+    contacts.filter_map(rule).collect()
+}

@@ -1,0 +1,102 @@
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::condition::{SupportCondition, SupportedAxis};
+use super::edge_equations::add_equations;
+use crate::errors::{Finding, finding, quoted};
+use crate::joints::parts::{End, JointBuilder, JointContext, JointKind};
+use crate::model::{At, Body, Place};
+use crate::units::Scaled;
+
+/// Support of an edge or of a node of a shell by the ground.
+///
+/// The normal of a Kirchhoff-Love shell rotates about an edge by the slope across it. Stretches stay free.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
+#[serde(deny_unknown_fields)]
+pub struct Support {
+    /// Name in outputs and messages.
+    #[schemars(length(min = 1))]
+    pub name: String,
+    /// Edge or node of a shell, on which the reaction acts. Moments of the reaction of an edge refer to its middle.
+    pub a: Place,
+    /// Constrained motions.
+    pub condition: SupportCondition,
+    /// Global axes along which displacements are zero, for `condition = "guided"`.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub axes: Vec<SupportedAxis>,
+    /// The ground.
+    #[serde(skip)]
+    #[schemars(skip)]
+    #[unit(none)]
+    pub ground: End,
+}
+
+impl JointKind for Support {
+    fn word(&self) -> &'static str {
+        "support"
+    }
+
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn ends(&self) -> (&Place, &End) {
+        (&self.a, &self.ground)
+    }
+
+    fn removes(&self) -> usize {
+        match (self.condition, self.a.at) {
+            (SupportCondition::Clamped, _) => 6,
+            (SupportCondition::Hinged, At::Edge(_)) => 5,
+            (SupportCondition::Hinged | SupportCondition::Symmetry, _) => 3,
+            (SupportCondition::Guided, _) => self.axes.len(),
+        }
+    }
+
+    fn build(&self, builder: &mut JointBuilder<'_>) {
+        add_equations(builder, self.a.at, self.condition, &self.axes);
+    }
+
+    fn check(&self, path: &str, context: &dyn JointContext) -> Vec<Finding> {
+        let Some(body) = context.body(&self.a) else { return Vec::new() };
+        let Body::Shell(shell) = body else {
+            let found = format!("{}, which is no shell", quoted(body.name()));
+            let expected = "a shell; joints such as \"clamp\" support other bodies";
+            return vec![finding(format!("{path}.a.body"), found, expected).rests_on(["bodies".into()])];
+        };
+        if self.a.offset != [0.0; 3] {
+            return vec![finding(
+                format!("{path}.a.offset"),
+                "an arm",
+                "no arm: edges and nodes are supported",
+            )];
+        }
+        let is_edge = matches!(self.a.at, At::Edge(_));
+        let needs_edge = matches!(self.condition, SupportCondition::Clamped | SupportCondition::Symmetry);
+        if needs_edge && !is_edge {
+            let expected =
+                "an edge, such as { edge = \"u_start\" }; at a node `condition` is \"hinged\" or \"guided\"";
+            return vec![finding(format!("{path}.a.at"), "a point", expected)];
+        }
+        let is_guided = self.condition == SupportCondition::Guided;
+        if is_guided == self.axes.is_empty() {
+            let [found, expected] = match is_guided {
+                true => ["no axes", "axes such as [\"x\", \"y\"]"],
+                false => ["axes", "no key `axes` unless `condition` is \"guided\""],
+            };
+            return vec![finding(format!("{path}.axes"), found, expected)];
+        }
+        if (1..self.axes.len()).any(|k| self.axes[..k].contains(&self.axes[k])) {
+            return vec![finding(format!("{path}.axes"), "an axis a second time", "each axis once")];
+        }
+        let At::Edge(place) = self.a.at else { return Vec::new() };
+        let is_unfit = self.condition == SupportCondition::Symmetry && !shell.is_plane_edge(place.edge);
+        let unfit = is_unfit.then(|| {
+            let found = "an edge that the lines across it do not meet at right angles in one plane";
+            let expected =
+                "\"clamped\", \"hinged\" or \"guided\", or a surface whose edge is in a plane of symmetry";
+            finding(format!("{path}.condition"), found, expected).rests_on(["bodies".into()])
+        });
+        unfit.into_iter().collect()
+    }
+}

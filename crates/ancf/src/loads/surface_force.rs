@@ -1,0 +1,51 @@
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::parts::{LoadBuilder, LoadContext, LoadKind};
+use crate::errors::Finding;
+use crate::model::{TimeFunction, shell_body};
+use crate::units::Scaled;
+
+/// Force per area of a shell, of constant direction.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
+#[serde(deny_unknown_fields)]
+pub struct SurfaceForce {
+    /// Name of the shell.
+    pub body: String,
+    /// Force per undeformed area in the global frame, force/length².
+    #[unit(force / length^2)]
+    pub force: [f64; 3],
+    /// Function of time that multiplies the load. Statics ignores it.
+    #[serde(default)]
+    pub time: TimeFunction,
+}
+
+impl LoadKind for SurfaceForce {
+    fn noun(&self) -> &'static str {
+        "force per area"
+    }
+
+    fn build(&self, builder: &mut LoadBuilder<'_>) {
+        let Some(mesh) = builder.shell(&self.body) else { return };
+        let function = builder.function(&self.time);
+        for marker in mesh.area_markers() {
+            builder.force(marker, self.force, function.clone());
+        }
+    }
+
+    fn bodies(&self) -> Vec<(String, &str)> {
+        vec![("body".into(), &self.body)]
+    }
+
+    fn time(&self) -> Option<&TimeFunction> {
+        Some(&self.time)
+    }
+
+    fn time_mut(&mut self) -> Option<&mut TimeFunction> {
+        Some(&mut self.time)
+    }
+
+    fn check(&self, path: &str, context: &dyn LoadContext) -> Vec<Finding> {
+        shell_body(path, context.body(&self.body)).into_iter().collect()
+    }
+}

@@ -1,0 +1,53 @@
+//! Parts of model files with one shell `s` of a material `m`.
+
+use std::fmt;
+
+/// Shell of a model.
+pub(super) struct ShellModel<'a> {
+    /// Surface, as in a model file.
+    pub(super) surface: &'a str,
+    pub(super) elements: [u32; 2],
+    pub(super) thickness: f64,
+    /// Young's modulus, Poisson's ratio and density.
+    pub(super) material: [f64; 3],
+}
+
+impl fmt::Display for ShellModel<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { surface, elements: [n, m], thickness, material: [young, poisson, density] } = self;
+        writeln!(f, "materials.m = {{ young = {young:e}, poisson = {poisson:?}, density = {density:?} }}")?;
+        writeln!(f, "[[bodies]]\nkind = \"shell\"\nname = \"s\"\nsurface = {{ {surface} }}")?;
+        writeln!(f, "elements = [{n}, {m}]\nthickness = {thickness:?}\nmaterial = \"m\"")
+    }
+}
+
+/// Support of an edge.
+pub(super) fn edge(edge: &str, condition: &str) -> String {
+    format!(
+        "[[joints]]\nkind = \"support\"\nname = \"{edge}\"\na = {{ body = \"s\", at = {{ edge = \"{edge}\" }} }}\n\
+         condition = {condition}\n"
+    )
+}
+
+/// Support of a node against displacements along global axes.
+pub(super) fn node(name: &str, at: [f64; 2], axes: &str) -> String {
+    format!(
+        "[[joints]]\nkind = \"support\"\nname = \"{name}\"\na = {{ body = \"s\", at = {at:?} }}\n\
+         condition = \"guided\"\naxes = [{axes}]\n"
+    )
+}
+
+/// Force at a point.
+pub(super) fn force(at: [f64; 2], force: [f64; 3]) -> String {
+    format!("[[loads]]\nkind = \"force\"\non = {{ body = \"s\", at = {at:?} }}\nforce = {force:?}\n")
+}
+
+/// Load per length of an edge, of kind `edge_force` or `edge_moment`.
+pub(super) fn edge_load(kind: &str, edge: &str, key: &str, load: [f64; 3]) -> String {
+    format!("[[loads]]\nkind = \"{kind}\"\nbody = \"s\"\nedge = \"{edge}\"\n{key} = {load:?}\n")
+}
+
+/// Probe of a point.
+pub(super) fn probe(name: &str, at: [f64; 2]) -> String {
+    format!("[[probes]]\nname = \"{name}\"\non = {{ body = \"s\", at = {at:?} }}\n")
+}

@@ -1,0 +1,143 @@
+//! Plates: natural frequencies, buckling, and a corner load with large rotations.
+
+use std::f64::consts::{PI, TAU};
+
+use super::models::{ShellModel, edge, force, node, probe};
+use crate::{Findings, Plot, PlotCurve, Problem, VerificationError, solve};
+
+/// Problems of this file.
+pub(super) const PROBLEMS: &[Problem] = &[
+    Problem {
+        name: "plate_frequencies",
+        title: "Frequencies of square plates",
+        source: "Thin plate, ν = 0.3: π² (m² + n²) for hinged edges, Ritz series for others (free 13.468197 19.596137 24.270201 \
+                 34.800891, clamped 35.9851911 73.3938455 108.2165017); cantilever 3.47100 8.5062 21.2839 27.1987 by an \
+                 independent Kirchhoff-Love code on 24 × 24 elements",
+        sketch: r"
+      +--------+
+      |        |   a = 1, h = 0.01, D = 1, ρh = 1
+      +--------+",
+        goal: "Circular frequencies within 0.5 % with 6 × 6 elements for free, clamped, hinged and cantilever plates",
+        run: frequencies,
+    },
+    Problem {
+        name: "plate_buckling",
+        title: "Buckling of a square plate under edge compression",
+        source: "Bryan (1891): N = π² D (m + 1/m)²/a²: 4 π² D/a², 6.25 π² D/a²",
+        sketch: r"
+     -->+--------+
+     -->|        |<--   hinged edges, D = 1, a = 1
+     -->+--------+",
+        goal: "Two critical loads within 0.5 % with 8 × 8 elements",
+        run: buckling,
+    },
+    Problem {
+        name: "plate_corner_load",
+        title: "Square cantilever plate with a force at a corner",
+        source: "Data of Yamashita, Valkeapää, Jayakumar & Sugiyama (2015). Recomputed by an independent Kirchhoff-Love code with \
+                 B-splines of degree 4 on 14 × 14 elements",
+        sketch: r"
+  |/+--------+
+  |/|        |     1 × 1 × 0.01 m, E = 2.1e8, ν = 0.3
+  |/+--------+ F   F = 50 N",
+        goal: "Displacements of both free corners within 0.5 % of 0.65 m with 4 × 4 elements",
+        run: corner,
+    },
+];
+
+const SQUARE: &str = "kind = \"flat\", corner = [0, 0, 0], side_u = [1, 0, 0], side_v = [0, 1, 0]";
+const EDGES: [&str; 4] = ["u_start", "u_end", "v_start", "v_end"];
+
+/// Plate with D = 1 and ρh = 1.
+const fn plate(elements: u32) -> ShellModel<'static> {
+    ShellModel {
+        surface: SQUARE,
+        elements: [elements; 2],
+        thickness: 0.01,
+        material: [12.0 * (1.0 - 0.09) * 1e6, 0.3, 100.0],
+    }
+}
+
+fn frequencies() -> Result<Findings, VerificationError> {
+    let all = |condition: &str| EDGES.map(|name| edge(name, condition)).concat();
+    let squares = [2.0, 5.0, 5.0, 8.0].map(|sum| sum * PI * PI);
+    let cases = [
+        ("free", String::new(), 6, [13.468197, 19.596137, 24.270201, 34.800891]),
+        ("cantilever", edge("u_start", "\"clamped\""), 0, [3.47100, 8.5062, 21.2839, 27.1987]),
+        ("clamped", all("\"clamped\""), 0, [35.9851911, 73.3938455, 73.3938455, 108.2165017]),
+        ("hinged", all("\"hinged\""), 0, squares),
+    ];
+    let (mut found, mut curves) = (Findings::default(), Vec::new());
+    for (name, supports, rigid, exact) in cases {
+        let count = rigid + exact.len();
+        let model = format!("{}{supports}[analysis]\nkind = \"modes\"\ncount = {count}\n", plate(6));
+        let solved = solve(&model)?;
+        let ours = solved.column("frequency")?.iter().skip(rigid).map(|f| TAU * f);
+        let mut points = Vec::new();
+        for (k, (ours, exact)) in ours.zip(exact).enumerate() {
+            found.compare(format!("{name}, mode {}", k + 1), ours, exact, exact, 5e-3);
+            points.push([(k + 1) as f64, ours / exact]);
+        }
+        curves.push(PlotCurve::points(name, points));
+    }
+    found.plot(Plot::new("Frequency relative to the reference", ["mode", "ratio"], curves));
+    Ok(found)
+}
+
+fn buckling() -> Result<Findings, VerificationError> {
+    let guided = |name: &str, axes: &str| edge(name, &format!("\"guided\"\naxes = [{axes}]"));
+    let model = format!(
+        "{}{}{}{}{}{}[[loads]]\nkind = \"edge_force\"\nbody = \"s\"\nedge = \"u_end\"\nforce = [-1, 0, 0]\n\
+         [analysis]\nkind = \"buckling\"\ncount = 2\n",
+        plate(8),
+        guided("u_start", "\"x\", \"z\""),
+        guided("u_end", "\"z\""),
+        guided("v_start", "\"z\""),
+        guided("v_end", "\"z\""),
+        node("corner", [0.0, 0.0], "\"y\"")
+    );
+    let (solved, mut found) = (solve(&model)?, Findings::default());
+    let exact = [4.0, 6.25].map(|k| k * PI * PI);
+    let ours = solved.column("factor")?.to_vec();
+    for (k, exact) in exact.into_iter().enumerate() {
+        let ours = ours.get(k).copied().unwrap_or(f64::NAN);
+        found.compare(format!("critical load {}", k + 1), ours, exact, exact, 5e-3);
+    }
+    let points = |loads: &[f64]| loads.iter().enumerate().map(|(k, x)| [(k + 1) as f64, *x]).collect();
+    let curves = vec![PlotCurve::points("computed", points(&ours)), PlotCurve::line("Bryan", points(&exact))];
+    found.plot(Plot::new("Critical loads", ["mode", "N"], curves));
+    Ok(found)
+}
+
+fn corner() -> Result<Findings, VerificationError> {
+    let shell =
+        ShellModel { surface: SQUARE, elements: [4; 2], thickness: 0.01, material: [2.1e8, 0.3, 500.0] };
+    let model = format!(
+        "{shell}{}{}{}{}[analysis]\nkind = \"statics\"\n",
+        edge("u_start", "\"clamped\""),
+        force([1.0, 0.0], [0.0, 0.0, -50.0]),
+        probe("A", [1.0, 0.0]),
+        probe("B", [1.0, 1.0])
+    );
+    let (solved, mut found) = (solve(&model)?, Findings::default());
+    let loaded = [("A.x", 1.0 - 0.28816), ("A.y", 0.06252), ("A.z", -0.64891)];
+    let other = [("B.x", 1.0 - 0.11405), ("B.y", 1.01480), ("B.z", -0.41242)];
+    // The other corner moves by v = −0.01480 along the edge, away from the loaded corner at y = 0 in this model.
+    for (name, exact) in loaded.into_iter().chain(other) {
+        found.compare(name, solved.last(name)?, exact, 0.64891, 5e-3);
+    }
+    let curves = vec![
+        PlotCurve::line("loaded corner", solved.points("load", "A.z")?),
+        PlotCurve::points("reference", vec![[1.0, -0.64891]]),
+    ];
+    found.plot(Plot::new("Deflection", ["load factor", "z"], curves));
+    Ok(found)
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn hold() {
+        crate::assert_all_hold(super::PROBLEMS);
+    }
+}

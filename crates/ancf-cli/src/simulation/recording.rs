@@ -7,6 +7,7 @@ use std::time::Instant;
 
 use ancf::errors::short;
 use ancf::estimate::Resolution;
+use ancf::model::Body;
 use ancf::record::Sink;
 use ancf::solver::equations::State;
 use ancf::{Checkpoint, Model, Observer, Outcome, Summary};
@@ -66,7 +67,9 @@ pub fn record(
     summary.initial.iter().for_each(|initial| print_status(&format!("start: {}", initial.sentence())));
     print(&values.table());
     let (sentence, columns) = (values.sentence(&summary, seconds, &folder), values.columns());
-    let (is_motion, model) = (model.analysis.dynamics().is_some(), recorder.name());
+    let is_motion = model.analysis.dynamics().is_some();
+    let has_shells = model.bodies.iter().any(|body| matches!(body, Body::Shell(_)));
+    let model = recorder.name();
     print_json(&RunJson { folder, model, wall_seconds: seconds, summary: &summary, columns });
     Ok(match summary.outcome {
         Outcome::Finished => {
@@ -74,7 +77,9 @@ pub fn record(
             let errors = summary.errors.as_ref().filter(|errors| errors.resolution != Resolution::Unresolved);
             errors.iter().for_each(|errors| print_status(&errors.sentence()));
             summary.motion_errors.iter().for_each(|errors| print_status(&errors.sentence()));
-            if is_motion && summary.initial.is_none() && summary.motion_errors.is_none() {
+            if has_shells {
+                print_status("errors: not estimated for shells; compare with a finer mesh");
+            } else if is_motion && summary.initial.is_none() && summary.motion_errors.is_none() {
                 print_status(
                     "errors: not estimated; `--errors` states those of the time steps and of the mesh",
                 );

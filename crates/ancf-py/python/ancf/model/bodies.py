@@ -263,8 +263,9 @@ class SphericalSurface(Part):
 @checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class TwistedSurface(Part):
-    """Strip whose width rotates about its axis. u is along the axis, v along the width, with the axis at v =
-    ½.
+    """Strip whose width rotates about its axis.
+
+    u is along the axis, v along the width, with the axis at v = ½.
 
     Attributes
     ----------

@@ -88,7 +88,9 @@ pub enum ShellSurface {
         #[unit(radian)]
         latitudes: [f64; 2],
     },
-    /// Strip whose width rotates about its axis. u is along the axis, v along the width, with the axis at v = ½.
+    /// Strip whose width rotates about its axis.
+    ///
+    /// u is along the axis, v along the width, with the axis at v = ½.
     Twisted {
         /// Start of the axis, length.
         #[unit(length)]

@@ -232,6 +232,10 @@ loads = [
   {{ kind = "distributed_moment", body = "b", moment = [0, 0, 1], {time} }},
   {{ kind = "base_acceleration", acceleration = [0, 0, 1], {time} }},
   {{ kind = "fluid", bodies = ["b"], density = 1, drag = [1, 1], {time} }},
+  {{ kind = "edge_force", body = "b", edge = "u_end", force = [0, 0, 1], {time} }},
+  {{ kind = "edge_moment", body = "b", edge = "u_end", moment = [0, 0, 1], {time} }},
+  {{ kind = "surface_force", body = "b", force = [0, 0, 1], {time} }},
+  {{ kind = "surface_pressure", body = "b", pressure = 1, {time} }},
 ]
 joints = [
   {{ kind = "drive", {a}, {time} }},

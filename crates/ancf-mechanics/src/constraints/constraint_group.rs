@@ -7,7 +7,7 @@ use super::bilinear_row::{BilinearRow, QuadraticConstraint};
 /// Constraints of a joint or a rigid body as one term: one gather, one scatter, and one lane of a batch.
 ///
 /// All constraints are at most quadratic in the coordinates and have consecutive multipliers. The evaluation is that of the
-/// constraints. Batches evaluate their rows instead ([`BilinearRow`]).
+/// constraints. Batches evaluate their rows instead (`BilinearRow`).
 pub struct ConstraintGroup {
     coordinates: Vec<usize>,
     multipliers: Range<usize>,

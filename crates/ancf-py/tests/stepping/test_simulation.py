@@ -201,8 +201,10 @@ def test_threads_advance_independent_simulations() -> None:
         rows[number] = sim.row()
 
     threads = [threading.Thread(target=advance, args=(i,)) for i in range(3)]
-    [thread.start() for thread in threads]
-    [thread.join() for thread in threads]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
     assert all(rows[i] == alone.row() for i in range(3))
 
 

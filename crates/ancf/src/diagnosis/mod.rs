@@ -1,4 +1,5 @@
-//! Diagnosis of a model: degrees of freedom, redundant constraints, free motions, locking, clamps at corners, numbers in mixed units.
+//! Diagnosis of a model: degrees of freedom, redundant constraints, free motions, locking, clamps at corners,
+//! thick shells, numbers in mixed units.
 
 mod connections;
 mod corners;
@@ -7,6 +8,7 @@ mod locking;
 mod mechanism;
 mod plausibility;
 mod summary;
+mod thick_shells;
 mod time_resolution;
 mod warnings;
 

@@ -8,7 +8,7 @@ use ancf_solver::newton::SolveError;
 
 use super::checkpoint::{Checkpoint, ResumeError, fingerprint};
 use super::error::Error;
-use super::run::{AnalysisRun, RunResult};
+use super::run::{AnalysisRun, RunResult, turn_warning};
 use super::simulation::Simulation;
 use super::step_control::StepControl;
 use super::summary::Summary;
@@ -171,7 +171,7 @@ impl<'a> AnalysisRun<'a> {
             let Self { observer, summary, monitor, .. } = self;
             observer.last_checkpoint(&|| motion.checkpoint(summary, monitor))?;
         }
-        self.warn_of_ambiguous_turns(&motion.rows, "t", self.summary.scales.time);
+        self.summary.warnings.extend(turn_warning(&motion.rows, "t", self.summary.scales.time));
         self.summary.warnings.extend(motion.rotations.warning(self.assembly, self.summary.scales));
         self.summary.warnings.extend(motion.alternations.warning(self.summary.scales));
         if let Some(own) = motion.simulation.scaled.analysis.dynamics() {

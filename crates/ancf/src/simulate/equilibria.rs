@@ -5,7 +5,7 @@ use ancf_solver::equations::State;
 use ancf_solver::newton::Newton;
 use ancf_solver::statics::{ArcLengthSteps, EndConditions, Equilibrium, LimitPoint, PathPoint, Response};
 
-use super::run::{AnalysisRun, RunResult};
+use super::run::{AnalysisRun, RunResult, turn_warning};
 use crate::assembly::Assembly;
 use crate::estimate::{DiscretisationErrors, GapField};
 use crate::failure::{RunFailure, require_support, unloaded};
@@ -102,7 +102,7 @@ impl AnalysisRun<'_> {
             self.summary.warnings.extend(warning);
         }
         let ended = ended.map_err(|error| equilibrium_failure(assembly, statics.state(), error));
-        self.warn_of_ambiguous_turns(&rows, "load factor", 1.0);
+        self.summary.warnings.extend(turn_warning(&rows, "load factor", 1.0));
         conclude(written?, settings.load == self.summary.time, ended)
     }
 
@@ -147,7 +147,7 @@ impl AnalysisRun<'_> {
         });
         self.warn_of_instability(path.state(), true);
         let ended = ended.map_err(|error| equilibrium_failure(assembly, path.state(), error));
-        self.warn_of_ambiguous_turns(&rows, "arc length", 1.0);
+        self.summary.warnings.extend(turn_warning(&rows, "arc length", 1.0));
         conclude(written?, settings.load == self.summary.time, ended)
     }
 }

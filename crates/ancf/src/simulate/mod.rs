@@ -20,6 +20,7 @@ pub use error::Error;
 pub use execute::simulate;
 pub use observer::Observer;
 pub(crate) use outcome::outcome;
+pub(crate) use run::turn_warning;
 pub use simulation::{Extension, Simulation, SimulationBuilder};
 pub(crate) use step_control::{SMALL_REMAINDER, TIME_TOLERANCE, error_control, newton_method, started};
 pub use summary::{EigenvalueCount, Outcome, Summary};

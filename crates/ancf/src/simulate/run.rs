@@ -20,18 +20,15 @@ pub(crate) struct AnalysisRun<'a> {
     pub(crate) stability: EquilibriumStability,
 }
 
-impl AnalysisRun<'_> {
-    /// Adds a warning if the number of turns of a joint angle is ambiguous. `variable` and `unit` are the name and the unit of the
-    /// variable of the steps.
-    pub(crate) fn warn_of_ambiguous_turns(&mut self, rows: &Rows, variable: &str, unit: f64) {
-        if let Some((at, joint)) = rows.ambiguous_turns() {
-            self.summary.warnings.push(format!(
-                "the angle of joint `{joint}` changes by about half a turn or more in the step to {variable} = {}: its number of \
-                 turns is ambiguous from there on; use smaller steps",
-                short(at * unit)
-            ));
-        }
-    }
+/// Warning if the number of turns of a joint angle is ambiguous. `variable` and `unit` are the name and the unit of the variable of
+/// the steps.
+pub(crate) fn turn_warning(rows: &Rows, variable: &str, unit: f64) -> Option<String> {
+    let (at, joint) = rows.ambiguous_turns()?;
+    Some(format!(
+        "the angle of joint `{joint}` changes by about half a turn or more in the step to {variable} = {}: its number of turns is \
+         ambiguous from there on; use smaller steps",
+        short(at * unit)
+    ))
 }
 
 /// Result of an analysis, in solver units: finished, stopped by the observer, or failed. The outer error is that of the

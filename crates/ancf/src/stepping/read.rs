@@ -2,7 +2,7 @@ use super::step_error::{StepError, argument};
 use super::stepper::Stepper;
 use crate::errors::{nearest, quoted};
 use crate::results::Column;
-use crate::simulate::{Summary, energy_warnings};
+use crate::simulate::{Summary, energy_warnings, turn_warning};
 
 impl Stepper {
     /// Value of a column in the present state, such as `tip.y` or `motor.mz`.
@@ -68,12 +68,7 @@ impl Stepper {
         let (scales, mut summary) = (self.simulation.scales(), self.summary.clone());
         summary.time = self.time();
         summary.warnings.extend(self.warnings_of_steps());
-        if let Some((t, joint)) = self.rows.ambiguous_turns() {
-            let t = crate::errors::short(t * scales.time);
-            summary.warnings.push(format!(
-                "the number of turns of joint `{joint}` is ambiguous from t = {t} on; use smaller steps"
-            ));
-        }
+        summary.warnings.extend(turn_warning(&self.rows, "t", scales.time));
         summary
     }
 

@@ -9,7 +9,7 @@ mod system;
 use std::env;
 use std::process::ExitCode;
 
-use commands::{benchmark, dependencies, fuzz, hunt, package, pictures, schema, test, viewer};
+use commands::{benchmark, dependencies, fuzz, hunt, package, pictures, playground, schema, test, viewer};
 use system::shell::say;
 
 const HELP: &str = "\
@@ -21,6 +21,7 @@ cargo xtask docs            the documentation site, into target/site
 cargo xtask schema          docs/model.schema.json, the Python classes and the key tables of the documentation, after a
                             change of the model types
 cargo xtask viewer          the viewer of results, built into the crate that embeds it
+cargo xtask playground      the page that runs models in the browser, into target/playground
 cargo xtask pictures        the pictures of the documentation, recorded from models/ in the viewer
 cargo xtask deny            licences, sources, duplicates and known vulnerabilities of dependencies, by deny.toml
 cargo xtask fuzz [SECONDS]  random input for the readers of models and formulas, 600 s each by default
@@ -48,6 +49,7 @@ fn main() -> ExitCode {
         "bench" => benchmark::bench(options),
         "instructions" => benchmark::instructions(options),
         "viewer" => viewer::build(),
+        "playground" => playground::build(),
         "pictures" => pictures::record(),
         "peers" => benchmark::peers(options),
         "" => Err(format!("expected a command\n\n{HELP}")),

@@ -55,10 +55,12 @@ pub mod geometry;
 pub mod paraview;
 mod run;
 mod scene;
+#[cfg(feature = "server")]
 mod serve;
 
 pub use run::{Ending, Recording, Snapshot, summary_rows, summary_warnings};
 pub use scene::{BUDGET, container, live_page, page, scene, shape_factor};
+#[cfg(feature = "server")]
 pub use serve::{SceneSource, Server, StopFlag};
 
 /// Colour maps of quantities in JSON, for the browser and for other programs.

@@ -22,9 +22,12 @@ export function isDark(): boolean {
 export class Theme {
   constructor(private readonly changed: () => void) {
     document.documentElement.dataset.theme = storedTheme() ?? systemTheme();
-    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () =>
-      this.set(storedTheme() ?? systemTheme()),
-    );
+    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.follow());
+  }
+
+  /** Applies the theme that the user selected in this page or another one. */
+  follow(): void {
+    this.set(storedTheme() ?? systemTheme());
   }
 
   toggle(): void {

@@ -1,4 +1,4 @@
-// Source of the scene: the page itself, or the server of a run that is in progress.
+// Source of the scene: the page itself, the server of a run that is in progress, or the page around this one.
 
 import { damaged } from "./check";
 import { decodeScene } from "./container";
@@ -89,6 +89,10 @@ export async function followScene(document: Document, listener: SceneListener): 
     listener.scene(await readEmbedded(element));
     return;
   }
+  if (url === PARENT) {
+    await followParent(listener);
+    return;
+  }
   const endpoint = new Endpoint(url);
   let scene = await firstScene(endpoint);
   listener.scene(scene);
@@ -106,6 +110,26 @@ export async function followScene(document: Document, listener: SceneListener): 
     if (scene.live) setTimeout(poll, pollingInterval(endpoint.bytes));
   };
   if (scene.live) setTimeout(poll, pollingInterval(endpoint.bytes));
+}
+
+/** Address of scenes that the page around this one sends. */
+const PARENT = "parent:";
+
+/** Receives scenes as messages of the page around this one. Resolves with the first scene. */
+async function followParent(listener: SceneListener): Promise<void> {
+  await new Promise<void>((resolve, reject) => {
+    window.addEventListener("message", (event: MessageEvent<unknown>) => {
+      const isScene = event.source === window.parent && event.data instanceof ArrayBuffer;
+      if (!isScene || event.origin !== window.location.origin) return;
+      try {
+        listener.scene(decodeScene(event.data as ArrayBuffer));
+        resolve();
+      } catch (error) {
+        reject(error);
+      }
+    });
+    window.parent.postMessage("ancf-viewer-ready", window.location.origin);
+  });
 }
 
 async function firstScene(endpoint: Endpoint): Promise<Scene> {

@@ -6,6 +6,7 @@ pub(crate) mod fuzz;
 pub(crate) mod hunt;
 pub(crate) mod package;
 pub(crate) mod pictures;
+pub(crate) mod playground;
 pub(crate) mod schema;
 pub(crate) mod test;
 pub(crate) mod viewer;

@@ -3,7 +3,7 @@
 use std::process::Command;
 use std::time::{Duration, Instant};
 
-use super::{benchmark, dependencies, package, viewer};
+use super::{benchmark, dependencies, package, playground, viewer};
 use crate::layers;
 use crate::system::shell::{Done, cargo, say};
 
@@ -33,6 +33,7 @@ fn parts(timer: &mut PartTimer) -> Done {
     timer.run("documentation", || cargo("documentation", &documentation, &warnings))?;
     timer.run("instruction counts", || benchmark::instructions(&[]))?;
     timer.run("dependencies", dependencies::deny)?;
+    timer.run("playground", playground::build)?;
     timer.run("viewer", viewer::test)?;
     timer.run("Python", package::test)
 }

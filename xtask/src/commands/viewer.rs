@@ -1,6 +1,6 @@
 //! The viewer of results: build, checks and browser tests.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use crate::system::debian;
@@ -33,6 +33,13 @@ pub(crate) fn browser() -> Done {
 pub(crate) fn build() -> Done {
     installed()?;
     npm("viewer", &["run", "--silent", "build"])
+}
+
+/// Builds the page of the playground into a folder, from the files of wasm-bindgen.
+pub(crate) fn playground(out: &Path, bindings: &Path) -> Done {
+    installed()?;
+    let [out, bindings] = [out, bindings].map(|path| path.display().to_string());
+    npm("playground", &["run", "--silent", "playground", "--", &out, &bindings])
 }
 
 fn installed() -> Done {

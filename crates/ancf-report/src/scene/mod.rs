@@ -16,6 +16,7 @@ pub(crate) use drawn_frames::fits;
 pub(crate) use frame_label::frame_label;
 pub(crate) use mode_shape::displaced;
 pub use mode_shape::shape_factor;
+#[cfg(feature = "server")]
 pub(crate) use page::gzipped;
 pub use page::{live_page, page};
 pub(crate) use scene_layout::SceneLayout;

@@ -2,32 +2,8 @@
 
 use std::ops::Range;
 
+use super::quads::{add_product, add_products, keep_quads, mul_add, quotient};
 use crate::sparse::{QUAD, Quad, SupernodeShape};
-
-/// Computes y += s x.
-#[inline(always)]
-fn add_product(y: &mut Quad, s: f64, x: &Quad) {
-    for lane in 0..QUAD {
-        y[lane] = s.mul_add(x[lane], y[lane]);
-    }
-}
-
-/// Computes y += x ∘ z.
-#[inline(always)]
-fn add_products(y: &mut Quad, x: &Quad, z: &Quad) {
-    for lane in 0..QUAD {
-        y[lane] = x[lane].mul_add(z[lane], y[lane]);
-    }
-}
-
-/// Keeps a loop over quads as it is, at the end of an iteration. It contains no instruction.
-///
-/// Otherwise the compiler combines several iterations into wider vectors. The loops are so short that their remainders and
-/// permutations take several times longer.
-#[inline(always)]
-pub(super) fn keep_quads() {
-    std::hint::black_box(());
-}
 
 #[inline(always)]
 fn sum(x: &Quad) -> f64 {
@@ -161,19 +137,6 @@ fn quads<const N: usize>(columns: &[&mut [Quad]; N], row: usize) -> [Quad; N] {
         quads[c] = columns[c][row];
     }
     quads
-}
-
-/// Computes x/d from 1/d with the accuracy of a division: equal rows remain equal, and their difference remains zero.
-///
-/// Source: Markstein (1990).
-#[inline(always)]
-fn quotient(x: &Quad, d: f64, by: f64) -> Quad {
-    let mut quotient = [0.0; QUAD];
-    for lane in 0..QUAD {
-        let near = by * x[lane];
-        quotient[lane] = (-near).mul_add(d, x[lane]).mul_add(by, near);
-    }
-    quotient
 }
 
 /// Raises sizes to the magnitudes of a product.
@@ -341,7 +304,7 @@ fn backward_columns<const N: usize>(length: usize, l: &[Quad], x: &mut [Quad]) {
     for c in (0..N).rev() {
         let mut rest = own[c] - sum(&sums[c]);
         for i in c + 1..N {
-            rest = (-columns[c][0][i]).mul_add(own[i], rest);
+            rest = mul_add(-columns[c][0][i], own[i], rest);
         }
         own[c] = rest;
     }
@@ -379,8 +342,8 @@ fn multiply_columns<const N: usize>(length: usize, a: &[Quad], x: &[Quad], y: &m
     for c in 0..N {
         y[0][c] += sum(&sums[c]) + columns[c][0][c] * own[c];
         for i in c + 1..N {
-            y[0][i] = columns[c][0][i].mul_add(own[c], y[0][i]);
-            y[0][c] = columns[c][0][i].mul_add(own[i], y[0][c]);
+            y[0][i] = mul_add(columns[c][0][i], own[c], y[0][i]);
+            y[0][c] = mul_add(columns[c][0][i], own[i], y[0][c]);
         }
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! The functions are called within [`pulp::Arch::dispatch`] and are therefore inlined.
 
-use super::dense::keep_quads;
+use super::quads::keep_quads;
 use crate::sparse::{QUAD, Quad, RowRun, SupernodeShape};
 
 /// Initialises a front with the entries of K.

@@ -8,6 +8,7 @@ mod large_front;
 mod ldlt;
 mod null_space;
 mod products;
+mod quads;
 mod scaled_lu;
 mod scales;
 mod substitution;

@@ -25,6 +25,14 @@ impl<W: Write> Csv<W> {
     pub fn new(to: W) -> Self {
         Self { to: BufWriter::with_capacity(BUFFER, to), line: Vec::new() }
     }
+
+    /// Writes all buffered text and returns the underlying writer.
+    ///
+    /// # Errors
+    /// If the text cannot be written.
+    pub fn into_inner(self) -> io::Result<W> {
+        self.to.into_inner().map_err(io::IntoInnerError::into_error)
+    }
 }
 
 impl<W: Write> Sink for Csv<W> {

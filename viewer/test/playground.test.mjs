@@ -1,0 +1,187 @@
+// The playground: models run in the browser with the results of the program.
+
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { gzipSync } from "node:zlib";
+import axe from "axe-core";
+import { close, DESKTOP, launch, PHONE } from "./support/browser.mjs";
+import { ancf, modelNames, newFolder, root } from "./support/models.mjs";
+import {
+  ended,
+  folder,
+  getText,
+  openPlayground,
+  serve,
+  setText,
+  table,
+  viewerOf,
+} from "./support/playground.mjs";
+
+let browser;
+let server;
+before(async () => {
+  browser = await launch();
+  server = await serve();
+});
+after(async () => {
+  await close(browser);
+  await server.close();
+});
+
+const open = (options = {}) => openPlayground(browser, server.address, { viewport: DESKTOP, ...options });
+const model = (name) => readFileSync(join(root, "models", `${name}.toml`), "utf8");
+const rows = (csv) =>
+  csv
+    .trim()
+    .split("\n")
+    .slice(1)
+    .map((row) => row.split(",").map(Number));
+
+/** Largest difference of a column, relative to its largest value. */
+function difference(found, expected, column) {
+  const scale = Math.max(...expected.map((row) => Math.abs(row[column])));
+  const worst = Math.max(...expected.map((row, k) => Math.abs(row[column] - found[k][column])));
+  return scale > 0 ? worst / scale : worst;
+}
+
+/** Columns to compare: the signs of mode shapes are arbitrary. */
+const COMPARED = { cantilever: /^t$|\.[xyz]$/, elastica: /\.[xyz]$/, tuning_fork: /^frequency/ };
+
+test("a run has the rows of the program", async () => {
+  for (const name of Object.keys(COMPARED)) {
+    const { tab, problems } = await open({ fragment: `#example=${name}` });
+    const dir = newFolder();
+    ancf("run", `models/${name}.toml`, "-o", dir, "--quiet");
+    const native = readFileSync(join(dir, "probes.csv"), "utf8");
+    const csv = await table(tab);
+    assert.equal(csv.split("\n")[0], native.split("\n")[0]);
+    const [found, expected] = [rows(csv), rows(native)];
+    assert.equal(found.length, expected.length);
+    const position = native
+      .split("\n")[0]
+      .split(",")
+      .map((column, k) => (COMPARED[name].test(column) ? k : -1))
+      .filter((k) => k >= 0);
+    assert.ok(position.length > 0);
+    // Vector instructions without fused products round otherwise.
+    for (const k of position) assert.ok(difference(found, expected, k) < 1e-8, `${name}, column ${k}`);
+    const viewer = await viewerOf(tab);
+    assert.ok((await viewer.evaluate(() => window.ancf.coverage())) > 0.001, `${name} is drawn`);
+    assert.deepEqual(problems, []);
+    await tab.close();
+  }
+});
+
+test("errors are marked at their lines", async () => {
+  const { tab } = await open({ fragment: "#example=cantilever" });
+  const text = model("cantilever").replace(/^duration = .*$/m, "duration = -1");
+  assert.notEqual(text, model("cantilever"));
+  const line = text.split("\n").findIndex((one) => one.startsWith("duration")) + 1;
+  await setText(tab, text);
+  await tab.waitForSelector("#problems .error");
+  const message = await tab.$eval("#problems .error", (e) => e.textContent);
+  assert.match(message, new RegExp(`^line ${line}: analysis.duration: found -1`));
+  await tab.waitForSelector(".cm-lintRange-error");
+  await tab.click("#run");
+  assert.equal(await ended(tab), "The model has errors.");
+  await tab.close();
+});
+
+test("keys and values are completed", async () => {
+  const { tab } = await open({ fragment: "#example=cantilever" });
+  const labels = async (text) => {
+    await setText(tab, "");
+    await tab.focus(".cm-content");
+    await tab.keyboard.type(text);
+    await tab.keyboard.down("Control");
+    await tab.keyboard.press("Space");
+    await tab.keyboard.up("Control");
+    await tab.waitForSelector(".cm-tooltip-autocomplete");
+    const found = await tab.$$eval(".cm-tooltip-autocomplete .cm-completionLabel", (all) =>
+      all.map((one) => one.textContent),
+    );
+    await tab.keyboard.press("Escape");
+    return found;
+  };
+  const kinds = await labels("[[bodies]]\nkind = ");
+  for (const kind of ['"beam"', '"cable"', '"rigid"']) assert.ok(kinds.includes(kind), kinds.join());
+  const keys = await labels('[[bodies]]\nkind = "mass"\nce');
+  assert.ok(keys.includes("center"), keys.join());
+  assert.ok(!keys.includes("elements"));
+  const inline = await labels('[[joints]]\nkind = "clamp"\na = { bo');
+  assert.ok(inline.includes("body"), inline.join());
+  await tab.close();
+});
+
+test("a link holds the model", async () => {
+  const { tab } = await open({ fragment: "#example=cantilever" });
+  const text = `# α ≤ 1\n${model("cantilever")}`;
+  await setText(tab, text);
+  await tab.click("#share");
+  await tab.waitForFunction(() => window.location.hash.startsWith("#model="));
+  const { hash } = new URL(tab.url());
+  await tab.close();
+  const { tab: other, problems } = await open({ fragment: hash });
+  assert.equal(await getText(other), text);
+  assert.deepEqual(problems, []);
+  const { tab: damaged } = await open({ fragment: "#model=AAAA" });
+  assert.match(await getText(damaged), /\[analysis\]/);
+  await other.close();
+  await damaged.close();
+});
+
+test("a run is shown while it proceeds, and can be stopped", async () => {
+  const { tab } = await open({ fragment: "#example=cantilever" });
+  await setText(tab, model("cantilever").replace(/^duration = .*$/m, "duration = 5000"));
+  await tab.click("#run");
+  await tab.waitForFunction(() => !document.getElementById("stop").disabled);
+  const viewer = await viewerOf(tab);
+  const first = await viewer.evaluate(() => window.ancf.time);
+  await viewer.waitForFunction((time) => window.ancf.time > time, {}, first);
+  await tab.keyboard.press("Escape");
+  assert.equal(await ended(tab), "stopped");
+  await setText(tab, model("cantilever"));
+  await tab.click("#run");
+  assert.match(await ended(tab), /steps in/);
+  await tab.close();
+});
+
+test("the page works without a network after the first visit", async () => {
+  const { tab } = await open({ fragment: "#example=cantilever" });
+  await tab.evaluate(() => navigator.serviceWorker.ready);
+  await tab.waitForFunction(async () => (await caches.keys()).length > 0);
+  await tab.setOfflineMode(true);
+  await tab.reload();
+  assert.match(await ended(tab), /steps in/);
+  await tab.close();
+});
+
+test("all models are examples", async () => {
+  const { tab } = await open({ fragment: "#example=cantilever" });
+  const names = await tab.$$eval("#example option", (all) => all.map((one) => one.value));
+  assert.deepEqual([...names].sort(), [...modelNames].sort());
+  await tab.close();
+});
+
+test("the page has no accessibility violations", async () => {
+  for (const viewport of [DESKTOP, PHONE]) {
+    for (const theme of ["light", "dark"]) {
+      const { tab } = await open({ fragment: "#example=cantilever", viewport, theme });
+      await tab.evaluate(axe.source);
+      const found = await tab.evaluate(() => window.axe.run({ iframes: false }));
+      assert.deepEqual(
+        found.violations.map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.html).join(" ")}`),
+        [],
+        `${theme}, ${viewport.width} px`,
+      );
+      await tab.close();
+    }
+  }
+});
+
+test("the compressed module has at most 3 MB", () => {
+  const bytes = gzipSync(readFileSync(join(folder, "ancf_web_bg.wasm"))).length;
+  assert.ok(bytes <= 3e6, `${bytes} bytes`);
+});

@@ -3,6 +3,7 @@
 import * as THREE from "three";
 import { largestReactions, largestVector } from "../scene/reactions";
 import type { Scene } from "../scene/scene";
+import { LOAD_ARROW } from "../view/extent";
 import type { PointTextures } from "./points";
 import { ARROW_VERTEX, LINK_VERTEX, MARKER_FRAGMENT, MARKER_VERTEX, SOLID_FRAGMENT } from "./shaders/symbols";
 import type { SharedUniforms } from "./uniforms";
@@ -170,9 +171,6 @@ export function reactionMesh(
   });
   return arrows.mesh(shared, 17);
 }
-
-/** Length of the longest arrow of a load, relative to that of a reaction. */
-const LOAD_ARROW = 0.6;
 
 /** Arrows of the loads on shells. The longest arrow of each load has the same length. */
 export function loadMesh(

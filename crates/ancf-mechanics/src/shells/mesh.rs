@@ -126,7 +126,8 @@ impl ShellMesh {
     ) -> [[Vector3<f64>; VECTORS]; 2] {
         let own = Self::vectors_of(self.divisions, element);
         let corner = self.reference[own[0]];
-        let rest = |a: usize| self.reference[own[a]] - if a % 4 == 0 { corner } else { Vector3::zeros() };
+        let rest =
+            |a: usize| self.reference[own[a]] - if a.is_multiple_of(4) { corner } else { Vector3::zeros() };
         let moved = |a: usize| {
             let first = self.first + 3 * own[a];
             Vector3::from_column_slice(&s.q[first..first + 3])

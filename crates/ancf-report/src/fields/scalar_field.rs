@@ -100,7 +100,10 @@ impl<'a> ScalarFields<'a> {
             of(displacement, "u", length, false),
             of("error of the mesh", "e", Dimension::NUMBER, false),
         ];
-        all.extend(surface_fields::fields());
+        let surfaces = surface_fields::FIELDS.into_iter();
+        all.extend(
+            surfaces.map(|(name, symbol, dimension, diverging)| of(name, symbol, dimension, diverging)),
+        );
         let has_velocities = model.analysis.dynamics().is_some();
         let has_shells = has_shells(model);
         let sections = SectionStress::at_stations(model, geometry);

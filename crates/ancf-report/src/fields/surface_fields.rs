@@ -3,13 +3,11 @@
 use ancf::mechanics::shells::SurfaceStress;
 use ancf::units::{Dimension, Scales};
 
-use super::scalar_field::ScalarField;
-
 /// Number of fields.
 pub(super) const COUNT: usize = 20;
 
 /// Names, symbols, dimensions, and true for both signs.
-const FIELDS: [(&str, &str, Dimension, bool); COUNT] = [
+pub(super) const FIELDS: [(&str, &str, Dimension, bool); COUNT] = [
     ("von Mises stress top", "σv", Dimension::STRESS, false),
     ("von Mises stress middle", "σv", Dimension::STRESS, false),
     ("von Mises stress bottom", "σv", Dimension::STRESS, false),
@@ -31,17 +29,6 @@ const FIELDS: [(&str, &str, Dimension, bool); COUNT] = [
     ("moment uv", "muv", Dimension::FORCE, true),
     ("energy density", "w", Dimension::FORCE_PER_LENGTH, false),
 ];
-
-/// Fields without values.
-pub(super) fn fields() -> impl Iterator<Item = ScalarField> {
-    FIELDS.into_iter().map(|(name, symbol, dimension, diverging)| ScalarField {
-        name,
-        symbol,
-        dimension,
-        diverging,
-        values: Vec::new(),
-    })
-}
 
 /// Values of the fields at a station, in the user's units.
 pub(super) fn values(found: &SurfaceStress, scales: &Scales) -> [f64; COUNT] {

@@ -16,7 +16,18 @@ after(() => close(browser));
 /** Smallest share of the free area that the longer side of the motion covers. */
 const SHARE = 0.7;
 /** Models whose motion or structure is not in one plane. */
-const SPATIAL = ["arc", "column", "hanging_rope", "roof", "rope", "rotor", "spring", "tuning_fork"];
+const SPATIAL = [
+  "annulus",
+  "arc",
+  "banner",
+  "column",
+  "hanging_rope",
+  "roof",
+  "rope",
+  "rotor",
+  "spring",
+  "tuning_fork",
+];
 
 /** Rectangles of the elements over the 3-D view, relative to the canvas. */
 const coveredAreas = (tab) =>

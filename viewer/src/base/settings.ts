@@ -14,6 +14,8 @@ export interface Settings {
   ghost: boolean;
   labels: boolean;
   nodes: boolean;
+  /** True if the edges of shell elements are drawn. */
+  mesh: boolean;
   reactions: boolean;
   markers: boolean;
   grid: boolean;
@@ -22,7 +24,16 @@ export interface Settings {
   repeat: boolean;
 }
 
-export type Switch = "ghost" | "labels" | "nodes" | "reactions" | "markers" | "grid" | "shadows" | "repeat";
+export type Switch =
+  | "ghost"
+  | "labels"
+  | "nodes"
+  | "mesh"
+  | "reactions"
+  | "markers"
+  | "grid"
+  | "shadows"
+  | "repeat";
 
 /** Settings with listeners for their changes. */
 export class SettingsStore {
@@ -36,6 +47,7 @@ export class SettingsStore {
       ghost: false,
       labels: true,
       nodes: false,
+      mesh: true,
     },
     ...{ reactions: true, markers: true, grid: true, shadows: true, repeat: false },
   };

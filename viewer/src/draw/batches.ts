@@ -1,9 +1,9 @@
-// Instances of the mesh templates: tube walls between two stations, end caps, boxes and spheres.
+// Instances of the mesh templates: tube walls between two stations, end caps, shells, boxes and spheres.
 
 import { bodyRadius } from "../scene/geometry";
-import type { Body, Scene } from "../scene/scene";
+import type { Body, Grid, Scene } from "../scene/scene";
 import { creases } from "./creases";
-import { box, cap, isPolygon, type MeshTemplate, sphere, triangles, tube } from "./templates";
+import { box, cap, isPolygon, type MeshTemplate, shell, sphere, triangles, tube } from "./templates";
 
 /** Numbers per instance: station, body, radius, scale factors at the start (3) and at the end (3). */
 export const STRIDE = 9;
@@ -72,7 +72,8 @@ export function bodyBatches(scene: Scene): InstanceBatch[] {
   const lists = new InstanceLists();
   scene.bodies.forEach((body, number) => {
     if (body.count === 0) return;
-    if (body.surface) addSurface(lists, body, number);
+    if (body.grid) addShell(lists, body, body.grid, number);
+    else if (body.surface) addSurface(lists, body, number);
     else if (body.box || body.outline.length === 0) addRigid(lists, body, number, DEFAULT_SIZE * scene.size);
     else addSwept(lists, body, number, step);
   });
@@ -85,6 +86,12 @@ function addRigid(lists: InstanceLists, body: Body, number: number, fallback: nu
   const half = body.box && !round ? body.box : new Array(3).fill(body.box?.[0] || fallback);
   const list = lists.get(round ? "sphere" : "box", round ? sphere : box);
   list.add(body.first, number, bodyRadius(body) || fallback, half, half);
+}
+
+/** Adds both faces and the border of a shell. */
+function addShell(lists: InstanceLists, body: Body, grid: Grid, number: number): void {
+  const list = lists.get(JSON.stringify(grid), () => shell(grid));
+  list.add(body.first, number, grid.half, [1, 1, 1], [1, 1, 1]);
 }
 
 /** Adds the triangles of a body and its edges. */

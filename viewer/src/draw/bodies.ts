@@ -27,6 +27,9 @@ export const SHADOW: THREE.MaterialParameters = {
   ...{ polygonOffset: true, polygonOffsetFactor: -1, polygonOffsetUnits: -1 },
 };
 
+/** Strength of the lines along the edges of shell elements, relative to those of other edges. */
+const EDGES = 0.45;
+
 export class BodyMeshes {
   readonly group = new THREE.Group();
   readonly ghost = new THREE.Group();
@@ -34,6 +37,8 @@ export class BodyMeshes {
   private readonly uniforms: Record<string, THREE.IUniform>;
   private readonly ghostUniforms: Record<string, THREE.IUniform>;
   private readonly materials: THREE.ShaderMaterial[];
+  /** Strength of the lines along the edges of shell elements. */
+  private readonly elementEdges = { value: EDGES };
   private field: THREE.DataTexture;
   private shownField = -1;
   private shownMap = "";
@@ -56,6 +61,7 @@ export class BodyMeshes {
       ghost: { value: false },
       shadow: { value: false },
       crease: { value: false },
+      edges: { value: 1 },
       ground: { value: new THREE.Vector4(...ground.up, ground.level) },
       fading: { value: ground.fading },
       coloured: { value: false },
@@ -73,14 +79,15 @@ export class BodyMeshes {
     });
     const shadow = bodyMaterial({ ...this.uniforms, shadow: { value: true } }, SHADOW);
     const crease = bodyMaterial({ ...this.uniforms, crease: { value: true } }, {});
-    this.materials = [solid, transparent, shadow, crease];
+    const shell = bodyMaterial({ ...this.uniforms, edges: this.elementEdges }, {});
+    this.materials = [solid, transparent, shadow, crease, shell];
     for (const batch of bodyBatches(scene)) {
       const geometry = instancedGeometry(batch);
       if (batch.template.isLines) {
         this.group.add(always(new THREE.LineSegments(geometry, crease)));
         continue;
       }
-      this.group.add(mesh(geometry, solid));
+      this.group.add(mesh(geometry, batch.template.isShell ? shell : solid));
       this.ghost.add(mesh(geometry, transparent));
       const flat = mesh(geometry, shadow);
       flat.renderOrder = -1;
@@ -111,6 +118,10 @@ export class BodyMeshes {
       this.ghostUniforms.colours.value = this.uniforms.colours.value;
       this.shownMap = map;
     }
+  }
+
+  set mesh(visible: boolean) {
+    this.elementEdges.value = visible ? EDGES : 0;
   }
 
   set thickness(factor: number) {

@@ -6,8 +6,8 @@ import type { Scene, Vector } from "../scene/scene";
 import { TEXTURE_WIDTH } from "./shaders/point";
 
 /**
- * Layout of a frame in the texture of positions: P stations, M markers, 2 L ends of links, then force and moment
- * of each of R reactions. Forces and moments are vectors and are not scaled.
+ * Layout of a frame in the texture of positions: P stations, M markers, 2 L ends of links, force and moment of each of R
+ * reactions, then the vectors of the loads on shells. Forces and moments are vectors and are not scaled.
  */
 export class PointTextures {
   /** Number of points of a frame. */
@@ -16,6 +16,8 @@ export class PointTextures {
   readonly markers: number;
   readonly links: number;
   readonly reactions: number;
+  /** Index of the first vector of each load on a shell. */
+  readonly loads: number[] = [];
   /** Reference positions of all points. Markers and links without one use that of the nearest station. */
   readonly reference: Float32Array;
   readonly centres: THREE.DataTexture;
@@ -27,7 +29,12 @@ export class PointTextures {
     this.markers = scene.stations;
     this.links = this.markers + scene.markers.length;
     this.reactions = this.links + 2 * scene.links.length;
-    this.count = this.reactions + 2 * scene.reactions.length;
+    let count = this.reactions + 2 * scene.reactions.length;
+    for (const load of scene.loads) {
+      this.loads.push(count);
+      count += load.stations.length;
+    }
+    this.count = count;
     this.reference = this.referencePositions();
     this.centres = positionTexture(this.framePositions(), scene.frames.count * this.count);
     this.referenceCentres = positionTexture(referenceTexels(this.reference), this.count);
@@ -99,6 +106,7 @@ export class PointTextures {
         append(reaction.force, f, 1);
         append(reaction.moment, f, 1);
       }
+      for (const { vectors, stations } of scene.loads) append(vectors, f * stations.length, stations.length);
     }
     return data;
   }

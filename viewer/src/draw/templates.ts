@@ -1,16 +1,18 @@
-// Mesh templates in section coordinates: tube walls, end caps, boxes and spheres.
+// Mesh templates in section coordinates: tube walls, end caps, boxes, spheres and shells.
 
-import type { Body } from "../scene/scene";
+import type { Body, Grid } from "../scene/scene";
 
 /** Mesh in section coordinates (along d1, d2, d3) that is drawn once per instance. */
 export interface MeshTemplate {
   /** True if the indices are pairs of points of lines, otherwise the corners of triangles. */
   isLines: boolean;
+  /** True for a shell, whose lines are the edges of elements. */
+  isShell?: boolean;
   local: number[];
   normal: number[];
-  /** Station of each vertex: 0 for the station of the instance, 1 for the next one. */
+  /** Station of each vertex: 0 for the station of the instance, 1 for the next one, and so on. */
   end: number[];
-  /** Coordinates on a face, two per vertex; edges are at -1 and 1. Empty if the mesh has no edges. */
+  /** Coordinates on a face, two per vertex; edges are at odd numbers. Empty if the mesh has no edges. */
   face: number[];
   index: number[];
 }
@@ -152,4 +154,53 @@ export function sphere(): MeshTemplate {
     }
   }
   return template;
+}
+
+/** Faces at half of the thickness along the normal d1, with lines along the edges of elements, and the border between them. */
+export function shell({ counts: [n, m], parts, half }: Grid): MeshTemplate {
+  const template = { ...empty(), isShell: true };
+  for (const side of [1, -1]) {
+    const first = template.end.length;
+    for (let k = 0; k < n * m; k++) {
+      template.local.push(side * half, 0, 0);
+      template.normal.push(side, 0, 0);
+      template.end.push(k);
+      // The edges of elements are at odd numbers.
+      template.face.push((2 * (k % n)) / parts - 1, (2 * Math.floor(k / n)) / parts - 1);
+    }
+    for (let j = 0; j + 1 < m; j++) {
+      for (let i = 0; i + 1 < n; i++) {
+        const k = first + j * n + i;
+        if (side > 0) template.index.push(k, k + 1, k + n + 1, k, k + n + 1, k + n);
+        else template.index.push(k, k + n + 1, k + 1, k, k + n, k + n + 1);
+      }
+    }
+  }
+  addBorder(template, n, m, half);
+  return template;
+}
+
+/** Adds the four walls of the border. Their normals are the tangents of the surface d2 and d3. */
+function addBorder(template: MeshTemplate, n: number, m: number, half: number): void {
+  const along = (count: number, first: number, step: number) =>
+    Array.from({ length: count }, (_, i) => first + i * step);
+  const walls: [stations: number[], normal: number[]][] = [
+    [along(n, 0, 1), [0, 0, -1]],
+    [along(n, (m - 1) * n, 1), [0, 0, 1]],
+    [along(m, 0, n), [0, -1, 0]],
+    [along(m, n - 1, n), [0, 1, 0]],
+  ];
+  for (const [stations, normal] of walls) {
+    const first = template.end.length;
+    for (const station of stations) {
+      for (const side of [1, -1]) {
+        template.local.push(side * half, 0, 0);
+        template.normal.push(...normal);
+        template.end.push(station);
+        template.face.push(0, 0);
+      }
+    }
+    for (let k = first; k + 2 < template.end.length; k += 2)
+      template.index.push(k, k + 1, k + 3, k, k + 3, k + 2);
+  }
 }

@@ -12,7 +12,7 @@ import { BodyMeshes, SHADOW } from "./bodies";
 import { groundGrid, groundLevel } from "./ground";
 import { ObstacleMeshes } from "./obstacles";
 import { PointTextures } from "./points";
-import { linkMesh, markerMesh, reactionMesh } from "./symbols";
+import { linkMesh, loadMesh, markerMesh, reactionMesh, supportMesh } from "./symbols";
 import { SharedUniforms } from "./uniforms";
 
 /** Objects that are created again when the scene changes. */
@@ -24,6 +24,8 @@ interface Contents {
   obstacles: ObstacleMeshes;
   grid: THREE.Object3D;
   markers: THREE.Object3D;
+  /** Supported edges and loads of shells. */
+  supports: THREE.Object3D;
   reactions: THREE.Object3D;
 }
 
@@ -81,6 +83,7 @@ export class Viewport {
       obstacles: new ObstacleMeshes(scene, extent, level, shadow),
       grid: groundGrid(scene, extent),
       markers: markerMesh(scene, points, shared),
+      supports: new THREE.Group(),
       reactions: reactionMesh(scene, points, shared, extent.arrow),
     };
     this.contents = contents;
@@ -89,6 +92,9 @@ export class Viewport {
     if (scene.links.length > 0) this.world.add(linkMesh(scene, points, shared));
     if (scene.reactions.length > 0) this.world.add(contents.reactions);
     if (scene.markers.length > 0) this.world.add(contents.markers);
+    if (scene.supports.length > 0) contents.supports.add(supportMesh(scene, shared));
+    if (scene.loads.length > 0) contents.supports.add(loadMesh(scene, points, shared, extent.arrow));
+    this.world.add(contents.supports);
     this.addLights(scene);
     this.camera.updateDepth();
     this.resize(this.width, this.height);
@@ -126,17 +132,19 @@ export class Viewport {
   /** Applies the display options. */
   apply(settings: Settings): void {
     if (!this.contents) return;
-    const { scene, bodies, obstacles, grid, markers, reactions } = this.contents;
+    const { scene, bodies, obstacles, grid, markers, supports, reactions } = this.contents;
     if (this.deformation !== settings.deformation || this.ghost !== settings.ghost) this.extent = null;
     [this.deformation, this.ghost] = [settings.deformation, settings.ghost];
     const field = scene.fields.findIndex((f) => f.name === settings.field);
     bodies.colourBy(field, field < 0 ? null : colourScale(scene.fields[field], settings));
     bodies.thickness = settings.thickness;
+    bodies.mesh = settings.mesh;
     bodies.ghost.visible = settings.ghost;
     grid.visible = settings.grid;
     const shadows = settings.shadows && scene.stations <= MAX_SHADOW_STATIONS;
     for (const group of [bodies.shadows, obstacles.shadows]) group.visible = shadows;
     markers.visible = settings.markers;
+    supports.visible = settings.markers;
     reactions.visible = settings.reactions;
     this.requestDraw();
   }

@@ -3,6 +3,7 @@
 import type { Settings } from "../base/settings";
 import { formatQuantity } from "../base/units";
 import { type FrameBlend, pointPosition, stationPosition } from "../scene/blend";
+import { middleStation } from "../scene/geometry";
 import { largestReactions, magnitude } from "../scene/reactions";
 import type { Reaction, Scene, Vector } from "../scene/scene";
 
@@ -94,7 +95,7 @@ function bodyLabels({ scene, blend }: LabelSource): Label[] {
     .filter((body) => body.count > 0)
     .map((body) => ({
       ...{ key: `body ${body.first}`, name: body.name, values: [], kind: "body" },
-      position: stationPosition(scene, body.first + (body.count >> 1), blend),
+      position: stationPosition(scene, body.first + middleStation(body), blend),
     }));
 }
 

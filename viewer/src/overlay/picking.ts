@@ -5,7 +5,7 @@ import type { Settings } from "../base/settings";
 import { formatQuantity } from "../base/units";
 import type { Viewport } from "../draw/viewport";
 import { type FrameBlend, fieldAt, stationPosition } from "../scene/blend";
-import { arcLength, bodyRadius } from "../scene/geometry";
+import { arcLength, bodyRadius, surfacePlace } from "../scene/geometry";
 import type { Body, Field, Scene } from "../scene/scene";
 
 type CanvasPoint = [x: number, y: number];
@@ -30,6 +30,7 @@ export function pickStation(
   let best = 0;
   let picked: PickedStation | null = null;
   for (const body of scene.bodies) {
+    if (body.grid) continue;
     const radius = bodyRadius(body) * settings.thickness;
     let previous: CanvasPoint | null = null;
     for (let i = 0; i < body.count; i++) {
@@ -46,7 +47,54 @@ export function pickStation(
       previous = point;
     }
   }
+  return picked ?? pickSurface(viewport, scene, blend, pointer);
+}
+
+/** Station of a shell nearest to a point of the canvas, on the nearest surface at the point. */
+function pickSurface(
+  viewport: Viewport,
+  scene: Scene,
+  blend: FrameBlend,
+  pointer: CanvasPoint,
+): PickedStation | null {
+  let nearest = 0;
+  let picked: PickedStation | null = null;
+  for (const body of scene.bodies) {
+    if (!body.grid) continue;
+    const n = body.grid.counts[0];
+    const positions = Array.from({ length: body.count }, (_, i) =>
+      stationPosition(scene, body.first + i, blend),
+    );
+    const points = positions.map((position) => viewport.project(position));
+    for (let i = 0; i + n + 1 < body.count; i++) {
+      if (i % n === n - 1) continue;
+      const corners = [i, i + 1, i + n + 1, i + n];
+      const quad = corners.map((k) => points[k]);
+      if (!isInside(quad, pointer)) continue;
+      // Size of a unit of length in pixels: larger values are nearer.
+      const size = viewport.pixelsPerUnit(positions[i]);
+      if (size <= nearest) continue;
+      nearest = size;
+      const away = quad.map((point) => Math.hypot(...subtract(point as CanvasPoint, pointer)));
+      picked = { body, index: corners[away.indexOf(Math.min(...away))] };
+    }
+  }
   return picked;
+}
+
+/** True if a point is inside a quadrilateral with corners in order. */
+function isInside(quad: (CanvasPoint | null)[], pointer: CanvasPoint): boolean {
+  if (!quad.every((corner) => corner !== null)) return false;
+  const sides = quad.map((corner, k) => {
+    const [ax, ay] = subtract(quad[(k + 1) % 4] as CanvasPoint, corner);
+    const [bx, by] = subtract(pointer, corner);
+    return ax * by - ay * bx;
+  });
+  return sides.every((side) => side >= 0) || sides.every((side) => side <= 0);
+}
+
+function subtract(a: CanvasPoint, b: CanvasPoint): CanvasPoint {
+  return [a[0] - b[0], a[1] - b[1]];
 }
 
 /** Distance of a point from a segment, and the position of the nearest point on the segment (0 to 1). */
@@ -63,7 +111,7 @@ function fieldText(field: Field, value: number): string {
   return formatQuantity(suppressNoise(value, largest), field.unit, largest);
 }
 
-/** Lines of text on a picked station: body, arc length, position, value of the field. */
+/** Lines of text on a picked station: body, arc length or parameters of a shell, position, value of the field. */
 export function describeStation(
   scene: Scene,
   settings: Settings,
@@ -74,7 +122,10 @@ export function describeStation(
   const station = body.first + index;
   const position = stationPosition(scene, station, { ...blend, scale: 1 });
   const lines = [body.name];
-  if (body.count > 1) {
+  if (body.grid) {
+    const [u, v] = surfacePlace(body.grid, index).map((x) => formatQuantity(x, ""));
+    lines.push(`u = ${u}, v = ${v}`);
+  } else if (body.count > 1) {
     const length = formatQuantity(arcLength(scene, body, body.count - 1), unit);
     lines.push(`s = ${formatQuantity(arcLength(scene, body, index), unit)} of ${length}`);
   }

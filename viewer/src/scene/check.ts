@@ -30,9 +30,17 @@ export function checkArrays(scene: Scene): void {
     checkLength(reaction.moment, 3 * frames, `moment of ${reaction.name}`);
     if (!scene.markers[reaction.marker]) throw damaged(`the reaction ${reaction.name} has no marker`);
   }
+  for (const load of scene.loads) checkLength(load.vectors, 3 * frames * load.stations.length, load.kind);
+  for (const { stations: own } of [...scene.loads, ...scene.supports]) {
+    if (!own.every((k) => k >= 0 && k < stations))
+      throw damaged("the stations of a load or a support are missing");
+  }
   for (const body of scene.bodies) {
     if (!(body.first >= 0 && body.first + body.count <= stations)) {
       throw damaged(`the stations of the body ${body.name} are missing`);
+    }
+    if (body.grid && body.grid.counts[0] * body.grid.counts[1] !== body.count) {
+      throw damaged(`the grid of the body ${body.name} lacks stations`);
     }
     if (body.scale) checkLength(body.scale, 2 * body.count, `scale of ${body.name}`);
     if (body.surface) {

@@ -90,6 +90,7 @@ function withDefaults(header: Partial<Scene>): Scene {
     },
     ...{ frames: { count: 0, values: none, labels: null }, centres: none, directors: none, up: [0, 1, 0] },
     ...{ reference: { centres: none, directors: none }, fields: [], markers: [], reactions: [], links: [] },
+    ...{ supports: [], loads: [] },
     ...{ obstacles: [], charts: [], abscissa: { name: "t", unit: "", values: none } },
     bounds: [
       [0, 0, 0],

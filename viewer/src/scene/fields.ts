@@ -53,11 +53,11 @@ export function keepRanges(scene: Scene, earlier: Scene): void {
   }
 }
 
-/** Field that colours the bodies at first: the equivalent stress if there are beams. */
+/** Field that colours the bodies at first: the equivalent stress if there are beams or shells. */
 export function defaultField(scene: Scene): string {
-  const hasBeams = scene.bodies.some((body) => body.kind === "beam");
+  const hasStress = scene.bodies.some(({ kind }) => kind === "beam" || kind === "shell");
   const stress = scene.fields.find((f) => f.name === "von Mises stress");
-  return (hasBeams && stress ? stress : scene.fields[0])?.name ?? "";
+  return (hasStress && stress ? stress : scene.fields[0])?.name ?? "";
 }
 
 /** Five values in the unit for display from the top to the bottom of the colour map, rounded to 1e-4 of the range. */

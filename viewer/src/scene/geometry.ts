@@ -1,6 +1,6 @@
 // Geometry of bodies in the reference configuration.
 
-import type { Body, Scene, Vector } from "./scene";
+import type { Body, Grid, Scene, Vector } from "./scene";
 
 export function distance(a: ArrayLike<number>, b: ArrayLike<number>): number {
   return Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
@@ -27,8 +27,21 @@ export function surfaceBox(body: Body): [Vector, Vector] {
   return [low, high];
 }
 
-/** Largest distance from the centre line to the outline of the section, or from the centre to the box corners. */
+/** Station in the middle of a body, counted from its first station. */
+export function middleStation({ count, grid }: Body): number {
+  if (!grid) return count >> 1;
+  const [n, m] = grid.counts;
+  return (m >> 1) * n + (n >> 1);
+}
+
+/** Parameters u and v of a station of a shell, from 0 to 1. */
+export function surfacePlace({ counts: [n, m] }: Grid, index: number): [u: number, v: number] {
+  return [(index % n) / (n - 1), Math.floor(index / n) / (m - 1)];
+}
+
+/** Largest distance from the centre line or the middle surface to the surface, or from the centre to the box corners. */
 export function bodyRadius(body: Body): number {
+  if (body.grid) return body.grid.half;
   if (body.box) return body.kind === "point" ? body.box[0] : Math.hypot(...body.box);
   let radius = 0;
   for (const [y, z] of body.outline) radius = Math.max(radius, Math.hypot(y, z));

@@ -1,4 +1,4 @@
-// Magnitudes of the reactions of joints.
+// Magnitudes of the reactions of joints and of other vectors.
 
 import type { FrameBlend } from "./blend";
 import type { Numbers, Reaction, Vector } from "./scene";
@@ -17,7 +17,8 @@ export function magnitude(vectors: Numbers, blend: FrameBlend): number {
   return Math.hypot(...vectorAt(vectors, blend));
 }
 
-function largestOf(vectors: Numbers): number {
+/** Largest magnitude of vectors. */
+export function largestVector(vectors: Numbers): number {
   let largest = 0;
   for (let i = 0; i < vectors.length; i += 3) {
     const size = Math.hypot(vectors[i], vectors[i + 1], vectors[i + 2]);
@@ -34,8 +35,8 @@ export function largestReactions(reactions: Reaction[]): [force: number, moment:
   const cached = CACHE.get(reactions);
   if (cached) return cached;
   const largest: [number, number] = [
-    Math.max(0, ...reactions.map((r) => largestOf(r.force))),
-    Math.max(0, ...reactions.map((r) => largestOf(r.moment))),
+    Math.max(0, ...reactions.map((r) => largestVector(r.force))),
+    Math.max(0, ...reactions.map((r) => largestVector(r.moment))),
   ];
   CACHE.set(reactions, largest);
   return largest;

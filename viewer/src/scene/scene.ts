@@ -3,15 +3,26 @@
 export type Numbers = Float32Array | Float64Array | Int16Array | Uint16Array | Uint32Array;
 export type Vector = [number, number, number];
 
+/** Grid of the stations of a shell, along u first. */
+export interface Grid {
+  /** Numbers of stations along u and v. */
+  counts: [number, number];
+  /** Cells per element in each direction. */
+  parts: number;
+  /** Half of the thickness. */
+  half: number;
+}
+
 export interface Body {
   name: string;
-  kind: "beam" | "cable" | "rigid" | "point";
+  kind: "beam" | "cable" | "shell" | "rigid" | "point";
   /** The stations of the body are first .. first + count of the scene. */
   first: number;
   count: number;
   outline: number[][];
   inner: number[][] | null;
   scale: Numbers | null;
+  grid?: Grid | null;
   nodes: number[];
   box: Vector | null;
   /** Triangles of a rigid body, in components along its directors from its centre. Normals are times 32767. */
@@ -43,6 +54,23 @@ export interface Reaction {
   marker: number;
   force: Numbers;
   moment: Numbers;
+}
+
+/** Joint along an edge of a shell. */
+export interface Support {
+  marker: number | null;
+  /** Stations along the edge. */
+  stations: number[];
+}
+
+/** Load on an edge or on the surface of a shell. */
+export interface ShellLoad {
+  kind: string;
+  moment: boolean;
+  /** Stations of the arrows. */
+  stations: number[];
+  /** Vectors at the stations, [F][stations][3]. */
+  vectors: Numbers;
 }
 
 export interface Link {
@@ -102,6 +130,8 @@ export interface Scene {
   fields: Field[];
   markers: Marker[];
   reactions: Reaction[];
+  supports: Support[];
+  loads: ShellLoad[];
   links: Link[];
   obstacles: Obstacle[];
   charts: Chart[];

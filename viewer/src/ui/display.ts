@@ -11,6 +11,7 @@ const SWITCHES: [name: Switch, label: string, key: string][] = [
   ["ghost", "reference configuration", "g"],
   ["labels", "names", "l"],
   ["nodes", "node numbers", "n"],
+  ["mesh", "edges of shell elements", "e"],
   ["reactions", "reactions", "r"],
   ["markers", "joints, probes, loads", "m"],
   ["grid", "grid", ""],
@@ -129,7 +130,9 @@ export class DisplayOptions {
     this.scene = scene;
     const options = scene.fields.map((f) => h("option", { value: f.name }, f.name));
     this.field.replaceChildren(h("option", { value: "" }, "body"), ...options);
-    const counts = { reactions: scene.reactions.length, markers: scene.markers.length };
+    const mesh = scene.bodies.filter((body) => body.grid).length;
+    const markers = scene.markers.length + scene.supports.length + scene.loads.length;
+    const counts = { reactions: scene.reactions.length, markers, mesh };
     for (const [name, input] of this.switches) {
       const box = input.closest("label");
       if (box) box.hidden = name in counts && counts[name as keyof typeof counts] === 0;

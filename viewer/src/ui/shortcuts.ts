@@ -34,6 +34,7 @@ export function shortcuts(app: App, theme: Theme, showHelp: () => void): Shortcu
     [["g"], "reference configuration", () => settings.toggle("ghost")],
     [["l"], "names", () => settings.toggle("labels")],
     [["n"], "node numbers", () => settings.toggle("nodes")],
+    [["e"], "edges of shell elements", () => settings.toggle("mesh")],
     [["r"], "reactions", () => settings.toggle("reactions")],
     [["m"], "joints, probes, loads", () => settings.toggle("markers")],
     [["o"], "repeat", () => settings.toggle("repeat")],

@@ -1,13 +1,15 @@
 // Points that the camera frames: bodies, obstacles, symbols and arrows in all frames.
 
 import { bodyRadius, surfaceBox } from "../scene/geometry";
-import { largestReactions } from "../scene/reactions";
+import { largestReactions, largestVector } from "../scene/reactions";
 import { type Body, isModal, type Obstacle, type Scene, type Vector } from "../scene/scene";
 
 /** Number of cells of the filter along each axis. */
 const CELLS = 48;
 /** Length of the longest arrow, relative to the diagonal of the box around the motion. */
 const ARROW = 0.14;
+/** Length of the longest arrow of a load on a shell, relative to that of the longest arrow. */
+export const LOAD_ARROW = 0.6;
 /** Radius of an obstacle, relative to the diagonal of the motion, above which it is not framed. */
 const MAX_OBSTACLE = 1;
 
@@ -19,7 +21,7 @@ export interface Extent {
   motion: Spheres;
   /** Centre lines of the bodies, markers and links. */
   lines: Spheres;
-  /** Tips of the arrows of the reactions. */
+  /** Tips of the arrows of reactions and of loads on shells. */
   arrows: Spheres;
   /** Corners of the box around the motion without obstacles. */
   box: [Vector, Vector];
@@ -193,6 +195,22 @@ function arrowTips(scene: Scene, arrow: number, add: (x: number, y: number, z: n
   }
 }
 
+/** Tips of the arrows of the loads on shells in all frames. */
+function loadTips(scene: Scene, arrow: number, add: (x: number, y: number, z: number) => void): void {
+  for (const { stations: own, vectors } of scene.loads) {
+    const largest = largestVector(vectors);
+    if (largest === 0) continue;
+    const factor = (LOAD_ARROW * arrow) / largest;
+    for (let f = 0; f < scene.frames.count; f++) {
+      own.forEach((station, k) => {
+        const [base, tip] = [3 * (f * scene.stations + station), 3 * (f * own.length + k)];
+        const at = (i: number) => scene.centres[base + i] + factor * vectors[tip + i];
+        add(at(0), at(1), at(2));
+      });
+    }
+  }
+}
+
 /** Extent of a scene with displacements that are scaled by `deformation`; with the reference configuration if requested. */
 export function extentOf(scene: Scene, deformation: number, withReference: boolean): Extent {
   const box = motionBox(scene, deformation);
@@ -210,5 +228,6 @@ export function extentOf(scene: Scene, deformation: number, withReference: boole
   forEachObstaclePoint(scene.obstacles, size, (x, y, z, radius) => motion.add(x, y, z, radius));
   const arrow = ARROW * size;
   arrowTips(scene, arrow, (x, y, z) => tips.add(x, y, z, 0));
+  loadTips(scene, arrow, (x, y, z) => tips.add(x, y, z, 0));
   return { motion: motion.spheres(), lines: lines.spheres(), arrows: tips.spheres(), box, arrow };
 }

@@ -118,6 +118,23 @@ impl ShellMesh {
         })
     }
 
+    /// Returns the reference values of the nodal vectors of an element, positions relative to its first node, and their displacements.
+    pub(crate) fn reference_and_displacements(
+        &self,
+        s: &State,
+        element: usize,
+    ) -> [[Vector3<f64>; VECTORS]; 2] {
+        let own = Self::vectors_of(self.divisions, element);
+        let corner = self.reference[own[0]];
+        let rest =
+            |a: usize| self.reference[own[a]] - if a.is_multiple_of(4) { corner } else { Vector3::zeros() };
+        let moved = |a: usize| {
+            let first = self.first + 3 * own[a];
+            Vector3::from_column_slice(&s.q[first..first + 3])
+        };
+        [std::array::from_fn(rest), std::array::from_fn(moved)]
+    }
+
     /// Returns the node and the kind of vector to which a coordinate of this mesh belongs.
     pub fn locate_coordinate(&self, coordinate: usize) -> Option<(usize, VectorKind)> {
         let vector = coordinate.checked_sub(self.first)? / 3;
@@ -182,6 +199,23 @@ impl ShellMesh {
     /// Returns the attachment of joints, loads and probes at (u, v).
     pub fn attachment(&self, at: [f64; 2]) -> Attachment {
         Attachment { point: self.point(at).into(), directions: Directions::Surface(self.frame(at)) }
+    }
+
+    /// Returns the attachment at (u, v) with the frame of stresses: the normal, e₁ along r_,u, and n × e₁.
+    pub fn station(&self, at: [f64; 2]) -> Attachment {
+        let frame = SectionFrame::new([&self.derivative(at, [1, 0]), &self.derivative(at, [0, 1])], 1.0);
+        Attachment { point: self.point(at).into(), directions: Directions::Surface(frame) }
+    }
+
+    /// Returns the grid of (u, v) at the nodes and at `parts` − 1 points between them in each direction, along u first.
+    pub fn grid(&self, parts: usize) -> impl Iterator<Item = [f64; 2]> + use<> {
+        let [n, m] = self.grid_divisions(parts);
+        (0..=m).flat_map(move |j| (0..=n).map(move |i| [i as f64 / n as f64, j as f64 / m as f64]))
+    }
+
+    /// Returns the numbers of cells of [`grid`](Self::grid) along u and v.
+    pub fn grid_divisions(&self, parts: usize) -> [usize; 2] {
+        self.divisions.map(|count| count * parts)
     }
 
     /// Returns the sums Σ m x over parts of the body, one for each element.

@@ -8,7 +8,9 @@ mod profile;
 mod rounding;
 mod section;
 mod stiffness;
+mod stress;
 mod surface_state;
+mod surface_stress;
 
 pub use element::Shell48;
 pub use hermite::VECTORS;
@@ -16,3 +18,5 @@ pub use mesh::{ShellEdge, ShellMesh};
 pub use pressure::SurfacePressure;
 pub use profile::{ShellMedium, ShellProfile};
 pub use section::ShellSection;
+pub use stress::StressField;
+pub use surface_stress::{LAYERS, SurfaceStress};

@@ -113,13 +113,13 @@ fn lobatto() -> [Vec<f64>; 2] {
 const RULES: [[usize; 2]; 3] = [[0, 1], [1, 0], [0, 0]];
 
 /// Value of the k-th Lagrange polynomial of some nodes.
-fn lagrange(nodes: &[f64], k: usize, x: f64) -> f64 {
+pub(crate) fn lagrange(nodes: &[f64], k: usize, x: f64) -> f64 {
     let others = nodes.iter().enumerate().filter(|(i, _)| *i != k);
     others.map(|(_, node)| (x - node) / (nodes[k] - node)).product()
 }
 
 /// Calls `visit` with the component, the rules and the place in them of each membrane strain.
-fn each_sample(mut visit: impl FnMut(usize, [&[f64]; 2], [usize; 2])) {
+pub(crate) fn each_sample(mut visit: impl FnMut(usize, [&[f64]; 2], [usize; 2])) {
     let rules = lobatto();
     for (component, rule) in RULES.into_iter().enumerate() {
         let [along, across] = rule.map(|k| &rules[k][..]);

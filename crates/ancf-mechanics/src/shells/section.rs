@@ -38,25 +38,32 @@ impl ShellSection {
     ///
     /// `t` and `s` are the reference tangents r_ξ and r_η.
     pub(crate) fn covariant(&self, t: &Vector3<f64>, s: &Vector3<f64>) -> [Matrix3<f64>; 3] {
-        let normal = t.cross(s);
-        let e1 = t.normalize();
-        let e2 = normal.normalize().cross(&e1);
-        // Contravariant basis: e_i = (e_i·A_α) A^α, so ε_ij = ε_αβ (e_i·A^α)(e_j·A^β).
-        let area = normal.norm();
-        let (a1, a2) = (s.cross(&normal) / (area * area), normal.cross(t) / (area * area));
-        let (c11, c12) = (e1.dot(&a1), e1.dot(&a2));
-        let (c21, c22) = (e2.dot(&a1), e2.dot(&a2));
-        let to_local = Matrix3::new(
-            c11 * c11,
-            c12 * c12,
-            c11 * c12,
-            c21 * c21,
-            c22 * c22,
-            c21 * c22,
-            2.0 * c11 * c21,
-            2.0 * c12 * c22,
-            c11 * c22 + c12 * c21,
-        );
+        let to_local = to_orthonormal(t, s);
         [self.membrane, self.coupling, self.bending].map(|c| to_local.transpose() * c * to_local)
     }
+}
+
+/// Returns the matrix from covariant components (ξξ, ηη, 2 ξη) of strains to those in the orthonormal basis of a section.
+///
+/// `t` and `s` are the reference tangents r_ξ and r_η.
+pub(crate) fn to_orthonormal(t: &Vector3<f64>, s: &Vector3<f64>) -> Matrix3<f64> {
+    let normal = t.cross(s);
+    let e1 = t.normalize();
+    let e2 = normal.normalize().cross(&e1);
+    // Contravariant basis: e_i = (e_i·A_α) A^α, so ε_ij = ε_αβ (e_i·A^α)(e_j·A^β).
+    let area = normal.norm();
+    let (a1, a2) = (s.cross(&normal) / (area * area), normal.cross(t) / (area * area));
+    let (c11, c12) = (e1.dot(&a1), e1.dot(&a2));
+    let (c21, c22) = (e2.dot(&a1), e2.dot(&a2));
+    Matrix3::new(
+        c11 * c11,
+        c12 * c12,
+        c11 * c12,
+        c21 * c21,
+        c22 * c22,
+        c21 * c22,
+        2.0 * c11 * c21,
+        2.0 * c12 * c22,
+        c11 * c22 + c12 * c21,
+    )
 }

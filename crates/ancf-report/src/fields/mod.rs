@@ -1,7 +1,8 @@
-//! Scalars along the bodies: section forces, stress, strain, speed and displacement.
+//! Scalars along the bodies: section forces, resultants of shells, stress, strain, speed and displacement.
 
 mod scalar_field;
 mod section_stress;
+mod surface_fields;
 
 pub use scalar_field::{ScalarField, ScalarFields};
 pub(crate) use section_stress::SectionStress;

@@ -9,6 +9,7 @@ use ancf::{Field, Model};
 use nalgebra::Vector3;
 
 use super::section_stress::SectionStress;
+use super::surface_fields;
 use crate::geometry::{Geometry, Placement};
 
 /// Scalar along the bodies, by which they are coloured.
@@ -34,12 +35,15 @@ pub struct ScalarField {
 /// | shear force, bending moment | √(Qy² + Qz²), √(My² + Mz²) |
 /// | axial stress | maximum of abs(N/A + My z/I_y − Mz y/I_z) over the outline |
 /// | shear stress | sum of the maxima of the shear stresses by torsion and by the shear force |
-/// | von Mises stress | √(σ² + 3τ²), the larger of its values at the extreme fibre and at the neutral axis |
+/// | von Mises stress | beams: √(σ² + 3τ²), the larger of its values at the extreme fibre and at the neutral axis; shells: the larger of the values at both faces |
 /// | strain | Green's strain E_xx of the axis |
 /// | speed | speed of the axis |
 /// | displacement | distance from the reference placement |
 /// | relative displacement | displacement of a mode shape relative to its maximum |
 /// | error of the mesh | contribution of the body to the largest relative error ([`BodyError`]) |
+/// | membrane force, moment | components per length of a shell in the orthonormal frame of its reference surface |
+/// | stress, principal stress, von Mises stress | of a shell at its top (+h/2 along the normal), middle and bottom |
+/// | energy density | strain energy of a shell per area |
 #[derive(Debug)]
 pub struct ScalarFields<'a> {
     all: Vec<ScalarField>,
@@ -48,12 +52,17 @@ pub struct ScalarFields<'a> {
     scales: Scales,
     has_velocities: bool,
     is_modal: bool,
+    has_shells: bool,
     /// Error of the body of each station.
     errors: Vec<f32>,
 }
 
+/// Index of the equivalent stress, which beams and shells have.
+const EQUIVALENT: usize = 8;
 /// Index of the first field that depends on the motion only.
 const MOTION: usize = 10;
+/// Index of the first field of shells.
+const SURFACE: usize = MOTION + 3;
 
 impl<'a> ScalarFields<'a> {
     /// Fields of a model in the user's units, without values.
@@ -76,7 +85,7 @@ impl<'a> ScalarFields<'a> {
             true => ("relative displacement", Dimension::NUMBER),
             false => ("displacement", Dimension::LENGTH),
         };
-        let all = vec![
+        let mut all = vec![
             of("axial force", "N", Dimension::FORCE, true),
             of("shear force", "Q", Dimension::FORCE, false),
             of("torque", "T", Dimension::ENERGY, true),
@@ -91,7 +100,12 @@ impl<'a> ScalarFields<'a> {
             of(displacement, "u", length, false),
             of("error of the mesh", "e", Dimension::NUMBER, false),
         ];
+        let surfaces = surface_fields::FIELDS.into_iter();
+        all.extend(
+            surfaces.map(|(name, symbol, dimension, diverging)| of(name, symbol, dimension, diverging)),
+        );
         let has_velocities = model.analysis.dynamics().is_some();
+        let has_shells = has_shells(model);
         let sections = SectionStress::at_stations(model, geometry);
         let error_of = |body: usize| {
             let name = model.bodies.get(body).map(Body::name);
@@ -99,7 +113,7 @@ impl<'a> ScalarFields<'a> {
             found.map_or(f32::NAN, |found| found.error as f32)
         };
         let errors = geometry.fields.stations().iter().map(|station| error_of(station.body)).collect();
-        Self { all, sections, assembly, scales, has_velocities, is_modal, errors }
+        Self { all, sections, assembly, scales, has_velocities, is_modal, has_shells, errors }
     }
 
     /// Adds the values of a state with its placement. Displacements are measured from a reference placement.
@@ -113,6 +127,9 @@ impl<'a> ScalarFields<'a> {
                 let (sections, _) = self.all.split_at_mut(MOTION);
                 sections.iter_mut().zip(values).for_each(|(field, x)| field.values.push(x as f32));
             }
+            if self.has_shells {
+                self.push_surfaces(geometry, s);
+            }
         }
         if self.has_velocities {
             let speeds = geometry.read(Field::Velocity, s);
@@ -125,6 +142,23 @@ impl<'a> ScalarFields<'a> {
         let unit = if self.is_modal && largest > 0.0 { largest } else { 1.0 };
         self.all[MOTION + 1].values.extend(moved.iter().map(|x| (x / unit) as f32));
         self.all[MOTION + 2].values.extend_from_slice(&self.errors);
+    }
+
+    /// Adds the fields of shells, and their equivalent stress to that of beams.
+    fn push_surfaces(&mut self, geometry: &Geometry<'_>, s: &State) {
+        let (sections, fields) = self.all.split_at_mut(SURFACE);
+        let equivalent = &mut sections[EQUIVALENT].values;
+        let mut station = equivalent.len() - geometry.stations();
+        geometry.fields.each_surface_stress(s, |found| {
+            let values = found.map(|found| surface_fields::values(&found, &self.scales));
+            if let Some([top, _, bottom, ..]) = values {
+                equivalent[station] = top.max(bottom) as f32;
+            }
+            station += 1;
+            for (k, field) in fields.iter_mut().enumerate() {
+                field.values.push(values.map_or(f32::NAN, |values| values[k] as f32));
+            }
+        });
     }
 
     fn of_section(&self, geometry: &Geometry<'_>, k: usize, s: &State, forces: &[f64]) -> [f64; MOTION] {
@@ -148,8 +182,17 @@ impl<'a> ScalarFields<'a> {
         self.all.into_iter().filter(has_values).collect()
     }
 
-    /// Maximum number of fields.
-    pub(crate) const fn most(is_modal: bool) -> usize {
-        if is_modal { 2 } else { MOTION + 3 }
+    /// Maximum number of fields of a model.
+    pub(crate) fn most(model: &Model, is_modal: bool) -> usize {
+        if is_modal {
+            return 2;
+        }
+        let has_rods = model.bodies.iter().any(|body| matches!(body, Body::Beam(_) | Body::Cable(_)));
+        let own = [(has_rods, MOTION), (has_shells(model), surface_fields::COUNT + 1)];
+        3 + own.into_iter().filter(|(has, _)| *has).map(|(_, count)| count).sum::<usize>()
     }
+}
+
+fn has_shells(model: &Model) -> bool {
+    model.bodies.iter().any(|body| matches!(body, Body::Shell(_)))
 }

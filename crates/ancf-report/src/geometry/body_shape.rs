@@ -15,7 +15,7 @@ pub enum BodyKind {
     Beam,
     /// Cable.
     Cable,
-    /// Shell, drawn as the middle of its surface.
+    /// Shell.
     Shell,
     /// Rigid body.
     Rigid,
@@ -39,14 +39,44 @@ impl BodyKind {
         match self {
             Self::Beam => "beam",
             Self::Cable => "cable",
-            Self::Shell => "point",
+            Self::Shell => "shell",
             Self::Rigid => "rigid",
             Self::PointMass => "point",
         }
     }
 }
 
-/// Shape of a body: an outline swept along its stations, or a box at its only station.
+/// Grid of the stations of a shell.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SurfaceGrid {
+    /// Numbers of stations along u and v. Stations are ordered along u first.
+    pub counts: [usize; 2],
+    /// Cells per element in each direction.
+    pub parts: usize,
+    /// Half of the thickness.
+    pub half: f64,
+}
+
+impl SurfaceGrid {
+    /// Corners of each cell, counter-clockwise as seen from the side of the normal, counted from the first station of the body.
+    pub fn cells(&self) -> impl Iterator<Item = [usize; 4]> + use<> {
+        let [n, m] = self.counts;
+        let corners =
+            move |i: usize, j: usize| [j * n + i, j * n + i + 1, (j + 1) * n + i + 1, (j + 1) * n + i];
+        (0..m.saturating_sub(1)).flat_map(move |j| (0..n.saturating_sub(1)).map(move |i| corners(i, j)))
+    }
+
+    /// Stations of the boundary, counter-clockwise as seen from the side of the normal, counted from the first station of the body.
+    pub fn boundary(&self) -> Vec<usize> {
+        let [n, m] = self.counts;
+        let (last, top) = (n - 1, m - 1);
+        let ahead = (0..last).chain((0..top).map(|j| j * n + last));
+        let back = (1..=last).rev().map(|i| top * n + i).chain((1..=top).rev().map(|j| j * n));
+        ahead.chain(back).collect()
+    }
+}
+
+/// Shape of a body: an outline swept along its stations, a surface between them, or a box at its only station.
 #[derive(Clone, Debug)]
 pub struct BodyShape {
     /// Name of the body.
@@ -59,6 +89,8 @@ pub struct BodyShape {
     pub outline: Option<Outline>,
     /// Factors of y and z of the outline at each station of a tapered body.
     pub scale: Option<Vec<[f64; 2]>>,
+    /// Grid of the stations of a shell.
+    pub grid: Option<SurfaceGrid>,
     /// Stations at nodes of the mesh, counted from the first station of the body.
     pub nodes: Vec<usize>,
     /// Surface of a rigid body, in components along its directors from its centre.
@@ -69,9 +101,6 @@ pub struct BodyShape {
     /// Principal axes of a rigid body, as components along its directors.
     pub axes: [[f64; 3]; 3],
 }
-
-/// Radius of the point of a shell, relative to the size of the model.
-const SHELL_POINT: f64 = 0.01;
 
 /// Axes of bodies without principal axes.
 const GLOBAL: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
@@ -96,8 +125,7 @@ impl BodyShape {
                 (Some(drawn.edges.map(|edge| 0.5 * edge)), drawn.axes)
             }
             Body::Mass(mass) => (Some([point_mass_radius(mass, size); 3]), GLOBAL),
-            Body::Shell(_) => (Some([SHELL_POINT * size; 3]), GLOBAL),
-            Body::Beam(_) | Body::Cable(_) => (None, GLOBAL),
+            Body::Beam(_) | Body::Cable(_) | Body::Shell(_) => (None, GLOBAL),
         };
         let outline = outline_at(model, body, 0.0, SIDES);
         let count = stations.len();
@@ -107,6 +135,7 @@ impl BodyShape {
             stations,
             scale: outline.as_ref().and_then(|outline| taper(model, body, outline, count)),
             outline,
+            grid: grid(body, parts),
             nodes: nodes(body, parts, count),
             surface,
             half_edges,
@@ -133,8 +162,19 @@ fn taper(model: &Model, body: &Body, start: &Outline, count: usize) -> Option<Ve
     (0..count).map(at).collect()
 }
 
+/// Grid of the stations of a shell.
+fn grid(body: &Body, parts: usize) -> Option<SurfaceGrid> {
+    let Body::Shell(shell) = body else { return None };
+    let counts = shell.elements.map(|count| count as usize * parts + 1);
+    Some(SurfaceGrid { counts, parts, half: 0.5 * shell.thickness })
+}
+
 /// Stations at nodes: the ends of elements, and the middle node of quadratic elements if it has a station.
 fn nodes(body: &Body, parts: usize, count: usize) -> Vec<usize> {
+    if let Some(SurfaceGrid { counts: [n, m], .. }) = grid(body, parts) {
+        let row = |j: usize| (0..n).step_by(parts).map(move |i| j * n + i);
+        return (0..m).step_by(parts).flat_map(row).collect();
+    }
     let is_quadratic = matches!(body, Body::Beam(beam) if beam.formulation.has_middle_node());
     let stride = if is_quadratic && parts.is_multiple_of(2) { parts / 2 } else { parts };
     (0..count).step_by(stride.max(1)).collect()

@@ -108,6 +108,8 @@ fn recorded(probe: &Probe) -> String {
         Quantity::SectionForces => "section forces",
         Quantity::Strain => "strain",
         Quantity::Stress => "stress",
+        Quantity::Resultants => "resultants",
+        Quantity::SurfaceStress => "surface stress",
     });
     words.collect::<Vec<_>>().join(", ")
 }

@@ -20,16 +20,30 @@ pub(super) struct Mesh {
 }
 
 impl Mesh {
-    /// Mesh of the axes of flexible bodies and the centres of rigid bodies.
-    pub fn lines(geometry: &Geometry<'_>) -> Self {
+    /// Mesh of the axes of beams and cables, and the centres of rigid bodies; `None` without such bodies.
+    pub fn lines(geometry: &Geometry<'_>) -> Option<Self> {
         let mut mesh = Self::default();
-        for (number, shape) in geometry.bodies.iter().enumerate() {
+        for (number, shape) in geometry.bodies.iter().enumerate().filter(|(_, shape)| shape.grid.is_none()) {
             let first = mesh.points.len();
             mesh.points.extend(shape.stations.clone().map(|station| Point { station, arm: [0.0; 3] }));
             let kind = if shape.stations.len() > 1 { Cell::Polyline } else { Cell::Vertex };
             mesh.cells.push(kind, first..mesh.points.len(), number);
         }
-        mesh
+        (!mesh.points.is_empty()).then_some(mesh)
+    }
+
+    /// Mesh of the middle surfaces of shells; `None` without shells.
+    pub fn shells(geometry: &Geometry<'_>) -> Option<Self> {
+        let mut mesh = Self::default();
+        for (number, shape) in geometry.bodies.iter().enumerate() {
+            let Some(grid) = &shape.grid else { continue };
+            let first = mesh.points.len();
+            mesh.points.extend(shape.stations.clone().map(|station| Point { station, arm: [0.0; 3] }));
+            for corners in grid.cells() {
+                mesh.cells.push(Cell::Quad, corners.map(|k| first + k), number);
+            }
+        }
+        (!mesh.points.is_empty()).then_some(mesh)
     }
 }
 

@@ -1,13 +1,14 @@
-use ancf::model::Units;
+use ancf::model::{Body, Units};
 use ancf::units::Dimension;
 use serde_json::{Map, Value};
 use sha2::{Digest, Sha256};
 
 use super::array::{Array, Values};
+use super::point_data::shell_dimensions;
 use crate::run::Recording;
 
 /// Names of point data and their dimensions.
-const DIMENSIONS: [(&str, Dimension); 21] = [
+const DIMENSIONS: [(&str, Dimension); 22] = [
     ("Points", Dimension::LENGTH),
     ("TimeValue", Dimension::NUMBER),
     ("s", Dimension::LENGTH),
@@ -25,6 +26,7 @@ const DIMENSIONS: [(&str, Dimension); 21] = [
     ("strain", Dimension::NUMBER),
     ("stress", Dimension::STRESS),
     ("largest_stress", Dimension::STRESS),
+    ("von_mises", Dimension::STRESS),
     ("normal", Dimension::NUMBER),
     ("y_axis", Dimension::NUMBER),
     ("z_axis", Dimension::NUMBER),
@@ -50,11 +52,14 @@ pub(super) fn provenance(recording: &Recording<'_>) -> Vec<Array> {
 /// Units of point data as JSON; dimensions in words if the model does not name its units.
 fn units(recording: &Recording<'_>) -> String {
     let units = recording.model.units.clone().unwrap_or_else(Units::in_words);
-    let of = |(name, dimension): &(&str, Dimension)| {
-        let dynamic = *name == "TimeValue" && recording.model.analysis.dynamics().is_some();
-        let unit = units.of(if dynamic { Dimension::TIME } else { *dimension });
+    let of = |(name, dimension): (String, Dimension)| {
+        let dynamic = name == "TimeValue" && recording.model.analysis.dynamics().is_some();
+        let unit = units.of(if dynamic { Dimension::TIME } else { dimension });
         let unit = if unit.is_empty() { "1".to_owned() } else { unit };
-        ((*name).to_owned(), Value::String(unit))
+        (name, Value::String(unit))
     };
-    Value::Object(DIMENSIONS.iter().map(of).collect::<Map<_, _>>()).to_string()
+    let has_shells = recording.model.bodies.iter().any(|body| matches!(body, Body::Shell(_)));
+    let of_shells = if has_shells { shell_dimensions() } else { Vec::new() };
+    let all = DIMENSIONS.iter().map(|(name, dimension)| ((*name).to_owned(), *dimension)).chain(of_shells);
+    Value::Object(all.map(of).collect::<Map<_, _>>()).to_string()
 }

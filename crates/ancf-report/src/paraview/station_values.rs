@@ -3,8 +3,9 @@ use std::sync::Arc;
 use ancf::Field;
 use ancf::assembly::Assembly;
 use ancf::mechanics::bodies::SectionStrain;
+use ancf::mechanics::shells::SurfaceStress;
 use ancf::solver::equations::State;
-use ancf::units::Scales;
+use ancf::units::{Dimension, Scales};
 
 use super::mesh::Point;
 use crate::fields::SectionStress;
@@ -22,8 +23,10 @@ pub(super) struct StationValues<'a> {
     pub largest_stresses: Vec<f64>,
     /// Strains of the sections; `None` for rigid bodies.
     strains: Vec<Option<SectionStrain>>,
-    /// Unit of length of the solver in that of the user.
-    length: f64,
+    /// Stresses of shells, in the units of the solver.
+    pub surfaces: Vec<Option<SurfaceStress>>,
+    /// Units of the solver in those of the user.
+    pub scales: Scales,
 }
 
 impl<'a> StationValues<'a> {
@@ -48,12 +51,15 @@ impl<'a> StationValues<'a> {
             let mesh = assembly.body_of(station.body).mesh()?;
             Some(mesh.section_strain(s, station.s / scales.length))
         };
+        let mut surfaces = Vec::with_capacity(geometry.stations());
+        geometry.fields.each_surface_stress(s, |found| surfaces.push(found));
         Self {
             shown: of_stations().map(|(forces, section)| with_axes(*forces, section.as_deref())).collect(),
             bending_moments: forces.iter().map(|[.., my, mz]| my.hypot(*mz)).collect(),
             largest_stresses: of_stations().map(largest).collect(),
             strains: geometry.fields.stations().iter().map(strain).collect(),
-            length: scales.length,
+            surfaces,
+            scales,
             sections,
             forces,
         }
@@ -62,7 +68,7 @@ impl<'a> StationValues<'a> {
     /// Green's strain E_xx at a point of a section.
     pub fn strain(&self, point: &Point) -> f64 {
         let [_, y, z] = point.arm;
-        let at = [y / self.length, z / self.length];
+        let at = [y / self.scales.length, z / self.scales.length];
         self.strains[point.station].as_ref().map_or(f64::NAN, |section| section.at(at)[(0, 0)])
     }
 
@@ -70,6 +76,19 @@ impl<'a> StationValues<'a> {
     pub fn stress(&self, point: &Point) -> f64 {
         let ([_, y, z], section) = (point.arm, self.sections[point.station].as_deref());
         section.map_or(f64::NAN, |section| section.stress(self.forces[point.station], [y, z]))
+    }
+
+    /// Equivalent stress of von Mises: of beams and cables the largest one of the section, of shells at the face of the point.
+    pub fn equivalent_stress(&self, point: &Point) -> f64 {
+        match (&self.sections[point.station], &self.surfaces[point.station]) {
+            (Some(section), _) => section.von_mises(self.forces[point.station]),
+            (None, Some(found)) => {
+                let [top, _, bottom] = found.von_mises();
+                let face = if point.arm[0] > 0.0 { top } else { bottom };
+                face * self.scales.unit(Dimension::STRESS)
+            }
+            (None, None) => f64::NAN,
+        }
     }
 }
 

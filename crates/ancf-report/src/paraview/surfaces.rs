@@ -2,7 +2,7 @@ use ancf_surface::Triangles;
 
 use super::grid::Cell;
 use super::mesh::{Mesh, Point};
-use crate::geometry::{BodyKind, BodyShape, Geometry, Outline};
+use crate::geometry::{BodyKind, BodyShape, Geometry, Outline, SurfaceGrid};
 
 impl Mesh {
     /// Mesh of the closed surfaces of all bodies, with cells counter-clockwise as seen from outside.
@@ -15,13 +15,33 @@ impl Mesh {
             }
             match (&shape.outline, shape.half_edges) {
                 (Some(outline), _) => mesh.sweep(number, shape, outline),
-                (None, Some(half)) if matches!(shape.kind, BodyKind::PointMass | BodyKind::Shell) => {
+                _ if let Some(grid) = &shape.grid => mesh.plate(number, shape, grid),
+                (None, Some(half)) if shape.kind == BodyKind::PointMass => {
                     mesh.octahedron(number, shape, half);
                 }
                 (None, half) => mesh.cuboid(number, shape, half.unwrap_or_default()),
             }
         }
         mesh
+    }
+
+    /// Adds both faces and the edges of a shell.
+    fn plate(&mut self, number: usize, shape: &BodyShape, grid: &SurfaceGrid) {
+        let first = self.points.len();
+        for half in [grid.half, -grid.half] {
+            self.points
+                .extend(shape.stations.clone().map(|station| Point { station, arm: [half, 0.0, 0.0] }));
+        }
+        let below = first + shape.stations.len();
+        for corners in grid.cells() {
+            self.quad(number, corners.map(|k| first + k), false);
+            self.quad(number, corners.map(|k| below + k), true);
+        }
+        let boundary = grid.boundary();
+        for (k, &a) in boundary.iter().enumerate() {
+            let b = boundary[(k + 1) % boundary.len()];
+            self.quad(number, [below + a, below + b, first + b, first + a], false);
+        }
     }
 
     /// Adds an outline swept along the stations of a body, closed at both ends.

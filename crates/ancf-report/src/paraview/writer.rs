@@ -42,7 +42,8 @@ pub struct Writer<'a> {
     provenance: Vec<EncodedArray>,
     times: FrameTimes,
     sections: MeshFiles,
-    lines: MeshFiles,
+    lines: Option<MeshFiles>,
+    shells: Option<MeshFiles>,
     obstacles: Option<(ObstacleSurfaces, EncodedCells, Collection)>,
     /// Placement of the undeformed state; of mode shapes, that of the first state.
     reference: Option<Placement>,
@@ -61,6 +62,14 @@ impl MeshFiles {
     fn new(Mesh { points, cells }: Mesh, collection: Collection) -> io::Result<Self> {
         Ok(Self { points, cells: cells.encoded("body")?, collection })
     }
+}
+
+/// Content of a collection.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Content {
+    Sections,
+    Lines,
+    Shells,
 }
 
 /// Maximum number of stations of flexible bodies, unless their elements have more nodes.
@@ -90,6 +99,9 @@ impl<'a> Writer<'a> {
         let initial = assembly.initial();
         let placed = geometry.place(&initial);
         let of = |name| Collection::new(folder, name);
+        let files = |mesh: Option<Mesh>, name| -> io::Result<Option<MeshFiles>> {
+            mesh.map(|mesh| MeshFiles::new(mesh, of(name)?)).transpose()
+        };
         let obstacles = if layout.obstacles.is_empty() {
             None
         } else {
@@ -102,7 +114,8 @@ impl<'a> Writer<'a> {
             provenance: encoded(&provenance(recording))?,
             times: FrameTimes::new(recording),
             sections: MeshFiles::new(Mesh::surfaces(&geometry), of("sections")?)?,
-            lines: MeshFiles::new(Mesh::lines(&geometry), of("lines")?)?,
+            lines: files(Mesh::lines(&geometry), "lines")?,
+            shells: files(Mesh::shells(&geometry), "shells")?,
             obstacles,
             reference: (!recording.is_modal()).then_some(placed),
             left_out: 0,
@@ -139,7 +152,9 @@ impl<'a> Writer<'a> {
         }
         let frames = self.sections.collection.count();
         let obstacles = self.obstacles.iter().map(|(_, _, collection)| collection);
-        let collections = [&self.sections.collection, &self.lines.collection].into_iter().chain(obstacles);
+        let surfaces =
+            [Some(&self.sections), self.lines.as_ref(), self.shells.as_ref()].into_iter().flatten();
+        let collections = surfaces.map(|files| &files.collection).chain(obstacles);
         let files = collections.map(Collection::finish).collect::<io::Result<_>>()?;
         Ok(Written { files, frames, left_out: self.left_out })
     }
@@ -185,12 +200,12 @@ impl<'a> Writer<'a> {
         let values = (!self.recording.is_modal())
             .then(|| StationValues::new(&self.geometry, &self.section_stress, assembly, scales, s));
         let of_frame = (placements, moving.as_ref(), values.as_ref());
-        let (data, positions) = self.data(&self.sections.points, true, of_frame);
-        let grid = Grid { points: positions, cells: &self.sections.cells, point_data: data };
-        self.sections.collection.push(time, grid, field_data)?;
-        let (data, positions) = self.data(&self.lines.points, false, of_frame);
-        let grid = Grid { points: positions, cells: &self.lines.cells, point_data: data };
-        self.lines.collection.push(time, grid, field_data)?;
+        let all = [Content::Sections, Content::Lines, Content::Shells];
+        let data = all.map(|content| Some(self.data(&self.files(content)?.points, content, of_frame)));
+        for (content, data) in all.into_iter().zip(data) {
+            let Some(((point_data, points), files)) = data.zip(self.files_mut(content)) else { continue };
+            files.collection.push(time, Grid { points, cells: &files.cells, point_data }, field_data)?;
+        }
         if let Some((obstacles, cells, collection)) = &mut self.obstacles {
             let still = self.layout.obstacles.iter().all(|obstacle| !obstacle.moves);
             if !still || collection.count() == 0 {
@@ -201,25 +216,49 @@ impl<'a> Writer<'a> {
         Ok(())
     }
 
+    const fn files(&self, content: Content) -> Option<&MeshFiles> {
+        match content {
+            Content::Sections => Some(&self.sections),
+            Content::Lines => self.lines.as_ref(),
+            Content::Shells => self.shells.as_ref(),
+        }
+    }
+
+    const fn files_mut(&mut self, content: Content) -> Option<&mut MeshFiles> {
+        match content {
+            Content::Sections => Some(&mut self.sections),
+            Content::Lines => self.lines.as_mut(),
+            Content::Shells => self.shells.as_mut(),
+        }
+    }
+
     /// Data at points in a state, and their positions.
     fn data(
         &self,
         of: &[Point],
-        single: bool,
+        content: Content,
         ([placed, reference], moving, values): FrameData<'_>,
     ) -> (Vec<Array>, Vec<Vector3<f64>>) {
-        let fields = PointData { geometry: &self.geometry, points: of, single };
+        let fields = PointData { geometry: &self.geometry, points: of, single: content == Content::Sections };
         let points = positions(of, placed);
         let moved: Vec<_> = points.iter().zip(positions(of, reference)).map(|(x, from)| x - from).collect();
-        let mut point_data = vec![fields.arc_length()];
+        let mut point_data = match content {
+            Content::Sections | Content::Lines => vec![fields.arc_length()],
+            Content::Shells => fields.shell_places(),
+        };
         let name = if self.recording.is_modal() { "shape" } else { "displacement" };
         point_data.push(fields.vectors(name, &moved));
-        point_data.extend(values.into_iter().flat_map(|values| fields.section_data(values)));
+        point_data.extend(values.into_iter().flat_map(|values| match content {
+            Content::Sections | Content::Lines => fields.section_data(values),
+            Content::Shells => fields.shell_data(values, placed),
+        }));
         for (name, rates) in ["velocity", "acceleration"].into_iter().zip(moving.into_iter().flatten()) {
             point_data.push(fields.vectors(name, &positions(of, rates)));
         }
-        if !single {
-            point_data.extend(fields.axes(placed));
+        match content {
+            Content::Sections => {}
+            Content::Lines => point_data.extend(fields.axes(placed, ["normal", "y_axis", "z_axis"])),
+            Content::Shells => point_data.extend(fields.axes(placed, ["normal", "u_axis", "v_axis"])),
         }
         (point_data, points)
     }

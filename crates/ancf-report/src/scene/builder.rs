@@ -1,3 +1,4 @@
+use ancf::model::Body;
 use nalgebra::Vector3;
 use serde_json::{Value, json};
 use sha2::{Digest, Sha256};
@@ -76,11 +77,9 @@ fn add_bodies(layout: &SceneLayout<'_>, budget: usize, header: &mut Value, blob:
     let (assembly, scales) = (recording.simulation.assembly(), recording.scales());
     let geometry = Geometry::new(recording.model, assembly, scales, recording.surfaces, parts, layout.size);
     let mut notes = recording.messages.clone();
-    if parts < PARTS && recording.model.bodies.iter().any(ancf::model::Body::is_flexible) {
+    let has_mesh = |body: &Body| body.is_flexible() || matches!(body, Body::Shell(_));
+    if parts < PARTS && recording.model.bodies.iter().any(has_mesh) {
         notes.push(messages::coarse(parts));
-    }
-    if recording.model.bodies.iter().any(|body| matches!(body, ancf::model::Body::Shell(_))) {
-        notes.push(messages::SHELLS.to_owned());
     }
     let frames = DrawnFrames::new(recording, &geometry, layout.size, most, &mut notes);
     let mut fields = ScalarFields::new(recording.model, assembly, scales, &geometry, &recording.body_errors);
@@ -107,6 +106,8 @@ fn add_bodies(layout: &SceneLayout<'_>, budget: usize, header: &mut Value, blob:
     header["fields"] = fields.iter().map(|field| entries::field(recording, field, blob)).collect();
     header["markers"] = entries::symbols(layout, &frames, blob);
     header["reactions"] = entries::reactions(layout, &frames, blob);
+    header["supports"] = entries::supports(layout, &geometry);
+    header["loads"] = entries::loads(layout, &geometry, &frames, blob);
     header["links"] = entries::links(layout, &frames, blob);
     header["obstacles"] = entries::obstacles(layout, &frames, blob);
 }

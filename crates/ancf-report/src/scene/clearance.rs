@@ -14,7 +14,7 @@ const APART: f64 = 1.5;
 /// Point of a body with its displacement by a shape.
 struct Point {
     body: usize,
-    /// Arc length from the start of the body.
+    /// Arc length from the start of the body; 0 in shells.
     arc: f64,
     radius: f64,
     at: Vector3<f64>,
@@ -55,7 +55,8 @@ fn points(geometry: &Geometry<'_>, centres: &[Vector3<f64>], displacements: &[f6
     for (body, shape) in geometry.bodies.iter().enumerate() {
         let mut arc = 0.0;
         for (k, station) in shape.stations.clone().enumerate() {
-            if k > 0 {
+            // Parts of a shell count as connected.
+            if k > 0 && shape.grid.is_none() {
                 arc += (centres[station] - centres[station - 1]).norm();
             }
             if k % stride == 0 {
@@ -67,10 +68,13 @@ fn points(geometry: &Geometry<'_>, centres: &[Vector3<f64>], displacements: &[f6
     points
 }
 
-/// Half of the largest extent of the section at a station, or of the box of a rigid body.
+/// Half of the largest extent of the section at a station, of the thickness of a shell, or of the box of a rigid body.
 fn radius(shape: &BodyShape, station: usize) -> f64 {
     let [sy, sz] = shape.scale_at(station);
     let of_outline = || shape.outline.as_ref().map(|outline| outline.half_extents);
     let of_box = || shape.half_edges.map(|[x, y, z]| [x.max(y), z]);
+    if let Some(grid) = &shape.grid {
+        return grid.half;
+    }
     of_outline().map(|[y, z]| [y * sy, z * sz]).or_else(of_box).map_or(0.0, |[y, z]| y.max(z))
 }

@@ -25,14 +25,18 @@
 //! | `fields` | `{name, symbol, unit, diverging, range: [min, max], values: u16 [F][P]}`; (value − min)/(max − min) · 65534, and 65535 where the field is not defined |
 //! | `markers` | symbols: `{name, kind: "joint"\|"probe"\|"load", detail, at: f32 [F][3], reference: [x, y, z]}` |
 //! | `reactions` | `{name, marker, force: f32 [F][3], moment: f32 [F][3]}`: force and moment of a joint on its end `a` |
+//! | `supports` | joints along edges of shells: `{marker, stations: [..]}`; stations along the edge |
+//! | `loads` | loads on edges and surfaces of shells: `{kind, moment: true or false, stations: [..], vectors: f32 [F][stations][3]}`; force or moment per length or area at some stations |
 //! | `links` | `{name, kind, ends: f32 [F][2][3], reference: [[x, y, z], [x, y, z]]}`; spring, damper, rope, rod, bushing, or arm (from the centre of a rigid body to a joint) |
 //! | `obstacles` | `{name, kind: "plane"\|"sphere"\|"cylinder", radius, length, inside, pose: f32 [1 or F][12]}`: point, three directors; the first director is the normal or the axis |
 //! | `charts` | `{title, group, log, columns: [{name, label, unit, values: f32, errors: f32}]}`; `errors`, estimated ones, may be absent |
 //! | `abscissa` | `{name, unit, values: f64}`, ascending: time, load factor, arc length of the path, number of the mode or row |
 //!
-//! A body is `{name, kind: "beam"|"cable"|"rigid"|"point", first, count, outline: [[y, z, ny, nz], ..], inner, scale, nodes, box, surface}`.
+//! A body is `{name, kind: "beam"|"cable"|"shell"|"rigid"|"point", first, count, outline: [[y, z, ny, nz], ..], inner, scale, grid, nodes, box, surface}`.
 //! Its stations are `first .. first + count`. Outlines are those of [`Outline`](crate::geometry::Outline); `inner` is the outline
-//! of a bore or null. `scale` (f32 `[count][2]` or null) multiplies y and z of both outlines at each station. `nodes` are the
+//! of a bore or null. `scale` (f32 `[count][2]` or null) multiplies y and z of both outlines at each station. `grid` is null or the
+//! grid of a shell, `{counts: [n, m], parts, half}`: n × m stations along u first, `parts` cells per element in each direction, half
+//! of the thickness. `nodes` are the
 //! stations at nodes of the mesh, counted from the first station of all. `box` has half of the edges along the three directors
 //! of a rigid body, or three times the radius of a point mass. `surface` is null or
 //! `{points: f32 [n][3], normals: i16 [n][3], corners: u32 [m][3]}`: triangles of a rigid body, in components along its

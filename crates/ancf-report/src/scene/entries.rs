@@ -9,7 +9,10 @@ use super::container::Blob;
 use super::drawn_frames::DrawnFrames;
 use super::scene_layout::SceneLayout;
 use crate::fields::ScalarField;
-use crate::geometry::{BodyShape, Geometry, Link, Obstacle, Placement, Symbol, Triad, bounding_box};
+use crate::geometry::{
+    BodyShape, EdgeSupport, Geometry, Link, Obstacle, Placement, ShellLoad, Symbol, Triad, bounding_box,
+    edge_supports, shell_loads,
+};
 use crate::run::Recording;
 
 /// Box around all objects in all frames.
@@ -33,7 +36,7 @@ fn max_distance(shape: &BodyShape) -> f64 {
     match shape.half_edges {
         Some([x, y, z]) if shape.surface.is_some() => x.hypot(y).hypot(z),
         Some([x, y, z]) => x.max(y).max(z),
-        None => outline * scale,
+        None => shape.grid.map_or(outline * scale, |grid| grid.half),
     }
 }
 
@@ -50,6 +53,7 @@ pub(super) fn body(shape: &BodyShape, blob: &mut Blob) -> Value {
         "outline": outline.map_or(&[] as &[_], |outline| &outline.outer),
         "inner": outline.and_then(|outline| outline.inner.as_ref()),
         "scale": scale,
+        "grid": shape.grid.map(|grid| json!({ "counts": grid.counts, "parts": grid.parts, "half": grid.half })),
         "nodes": nodes,
         "box": shape.half_edges,
         "surface": shape.surface.as_ref().map(|triangles| surface(triangles, blob)),
@@ -112,6 +116,32 @@ pub(super) fn reactions(layout: &SceneLayout<'_>, frames: &DrawnFrames<'_>, blob
         Some(json!({ "name": name, "marker": symbol, "force": force, "moment": moment }))
     };
     names.filter_map(of).collect()
+}
+
+/// Stations along the edges that joints support.
+pub(super) fn supports(layout: &SceneLayout<'_>, geometry: &Geometry<'_>) -> Value {
+    let of = |support: EdgeSupport| {
+        let marker = layout.symbols.of_joints.get(support.joint).copied().flatten();
+        json!({ "marker": marker, "stations": support.stations })
+    };
+    edge_supports(layout.recording.model, &geometry.bodies).into_iter().map(of).collect()
+}
+
+/// Arrows of the loads on shells.
+pub(super) fn loads(
+    layout: &SceneLayout<'_>,
+    geometry: &Geometry<'_>,
+    frames: &DrawnFrames<'_>,
+    blob: &mut Blob,
+) -> Value {
+    let undeformed = geometry.place(&layout.recording.simulation.assembly().rest());
+    let of = |load: ShellLoad| {
+        let all = frames.states.iter().zip(&frames.placed).zip(&frames.positions);
+        let vectors = all.flat_map(|((s, placed), time)| load.vectors([placed, &undeformed], s, *time));
+        let vectors = blob.f32(vectors.flat_map(finite));
+        json!({ "kind": load.noun, "moment": load.is_moment, "stations": load.stations, "vectors": vectors })
+    };
+    shell_loads(layout.recording.model, &geometry.bodies).into_iter().map(of).collect()
 }
 
 pub(super) fn links(layout: &SceneLayout<'_>, frames: &DrawnFrames<'_>, blob: &mut Blob) -> Value {

@@ -16,9 +16,6 @@ pub(super) fn coarse(parts: u32) -> String {
     format!("each element is drawn as {segments}, to limit the file size")
 }
 
-/// Message about bodies that are drawn as points.
-pub(super) const SHELLS: &str = "shells are drawn as the point in their middle";
-
 /// Message about frames that cannot be drawn.
 pub(super) fn not_finite(number: usize) -> String {
     format!("{} omitted: not all positions are finite", count(number, "frame", "frames"))

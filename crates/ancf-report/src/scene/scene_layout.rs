@@ -4,12 +4,12 @@ use nalgebra::Vector3;
 
 use crate::fields::ScalarFields;
 use crate::geometry::{
-    Attachments, BodyShape, Geometry, Link, Obstacle, Placement, Symbol, Symbols, bounding_box, links,
-    obstacles,
+    ARROWS, Attachments, BodyShape, Geometry, Link, Obstacle, Placement, Symbol, Symbols, bounding_box,
+    links, obstacles,
 };
 use crate::run::Recording;
 
-/// Stations per element.
+/// Stations per element, in each direction of a shell.
 pub(super) const PARTS: u32 = 4;
 /// Stations per element of a body with fewer than `FEW` elements.
 const MORE_PARTS: u32 = 8;
@@ -59,42 +59,46 @@ impl<'a> SceneLayout<'a> {
 
     /// Bytes of a frame.
     fn bytes_of_frame(&self, stations: usize) -> usize {
-        let fields = ScalarFields::most(self.recording.is_modal());
+        let fields = ScalarFields::most(self.recording.model, self.recording.is_modal());
         let moving = self.obstacles.iter().filter(|obstacle| obstacle.moves).count();
         let vectors = 12 * self.symbols.all.len()
             + 24 * (self.symbols.of_joints.len() + self.links.len())
-            + 48 * moving;
+            + 48 * moving
+            + 12 * ARROWS * ARROWS * self.recording.model.loads.len();
         stations * (12 + 18 + 2 * fields) + vectors + 8
     }
 
     /// Returns stations per element and the number of frames that fit into a budget in bytes.
     pub fn resolution(&self, budget: usize) -> (u32, usize) {
-        let bodies = &self.recording.model.bodies;
-        let rigid = bodies.iter().filter(|body| !body.is_flexible()).count();
         let frames = self.recording.frames.len().max(1);
-        let bytes = |parts: u32| self.bytes_of_frame(rigid + self.stations(parts));
+        let bytes = |parts: u32| self.bytes_of_frame(self.stations(parts));
         let parts = self.finest_parts(|parts| bytes(parts).saturating_mul(frames + 1) <= budget);
         (parts, (budget / bytes(parts)).saturating_sub(1).max(2))
     }
 
-    /// Returns stations per element for at most a number of stations of all flexible bodies, but at least one.
+    /// Returns stations per element for at most a number of stations of all bodies, but at least one.
     pub fn parts(&self, most: usize) -> u32 {
         self.finest_parts(|parts| self.stations(parts) <= most)
     }
 
-    /// Number of stations of all flexible bodies.
+    /// Number of stations of all bodies.
     fn stations(&self, parts: u32) -> usize {
-        let stations = |body: &Body| body.elements() as usize * parts as usize + 1;
-        self.flexible().map(stations).sum()
-    }
-
-    fn flexible(&self) -> impl Iterator<Item = &Body> {
-        self.recording.model.bodies.iter().filter(|body| body.is_flexible())
+        let along = |elements: u32| elements as usize * parts as usize + 1;
+        let stations = |body: &Body| match body {
+            Body::Beam(_) | Body::Cable(_) => along(body.elements()),
+            Body::Shell(shell) => shell.elements.map(along).iter().product(),
+            Body::Rigid(_) | Body::Mass(_) => 1,
+        };
+        self.recording.model.bodies.iter().map(stations).sum()
     }
 
     /// Largest suitable number of stations per element.
     fn finest_parts(&self, is_suitable: impl Fn(u32) -> bool) -> u32 {
-        let least = self.flexible().map(Body::elements).min().unwrap_or(FEW);
+        let along = |body: &Body| match body {
+            Body::Shell(shell) => shell.elements.into_iter().min(),
+            _ => body.is_flexible().then(|| body.elements()),
+        };
+        let least = self.recording.model.bodies.iter().filter_map(along).min().unwrap_or(FEW);
         let finest = if least < FEW { MORE_PARTS } else { PARTS };
         (1..=finest).rev().find(|parts| is_suitable(*parts)).unwrap_or(1)
     }

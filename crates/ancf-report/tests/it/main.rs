@@ -11,5 +11,6 @@ mod paraview_selection;
 mod scene;
 mod server;
 mod shapes;
+mod shells;
 mod stresses;
 mod surfaces;

@@ -15,9 +15,9 @@ use flate2::read::ZlibDecoder;
 use crate::common::{CANTILEVER, Run, dot, tapered, three};
 
 /// Unstructured grid, read independently by the specification of VTK.
-struct Grid {
+pub struct Grid {
     arrays: BTreeMap<String, Vec<f64>>,
-    texts: BTreeMap<String, Vec<String>>,
+    pub texts: BTreeMap<String, Vec<String>>,
 }
 
 impl Grid {
@@ -54,11 +54,11 @@ impl Grid {
         grid
     }
 
-    fn points(&self) -> Vec<[f64; 3]> {
+    pub fn points(&self) -> Vec<[f64; 3]> {
         self.vectors("Points")
     }
 
-    fn vectors(&self, name: &str) -> Vec<[f64; 3]> {
+    pub fn vectors(&self, name: &str) -> Vec<[f64; 3]> {
         self[name].chunks_exact(3).map(three).collect()
     }
 
@@ -74,7 +74,7 @@ impl Grid {
     }
 
     /// True if each edge occurs once in each direction.
-    fn is_closed(&self) -> bool {
+    pub fn is_closed(&self) -> bool {
         let mut edges: BTreeMap<(usize, usize), i32> = BTreeMap::new();
         for cell in self.cells() {
             for k in 0..cell.len() {
@@ -85,7 +85,7 @@ impl Grid {
     }
 
     /// Volume of a body, ∮ x·n dA/3 over its cells, divided into fans of triangles.
-    fn volume(&self, body: usize) -> f64 {
+    pub fn volume(&self, body: usize) -> f64 {
         let points = self.points();
         let own = self.cells().into_iter().zip(&self["body"]).filter(|(_, owner)| **owner == body as f64);
         let fan = |cell: Vec<usize>| -> f64 {
@@ -149,14 +149,14 @@ fn collection(path: &Path) -> Vec<(f64, Grid)> {
     sets.map(read).collect()
 }
 
-fn write(run: &Run, folder: &Path) -> Written {
+pub fn write(run: &Run, folder: &Path) -> Written {
     let recording = run.recording();
     let mut writer = Writer::new(&recording, folder).expect("a folder");
     recording.frames.iter().for_each(|frame| writer.push(frame).expect("a file"));
     writer.finish().expect("collections")
 }
 
-fn written(run: &Run, name: &str) -> Vec<(f64, Grid)> {
+pub fn written(run: &Run, name: &str) -> Vec<(f64, Grid)> {
     let folder = tempfile::tempdir().unwrap();
     let written = write(run, folder.path());
     assert_eq!(written.frames, run.frames.len());

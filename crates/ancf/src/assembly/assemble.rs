@@ -37,9 +37,10 @@ impl IndexedModel<'_> {
             .collect();
         let recorded = self.probes.iter().flat_map(|probe| {
             let (body, s, place) = self.probed(&bodies, probe);
+            let surface = self.bodies[body].shell_place(probe.on.at);
             probe.record.iter().map(move |&quantity| {
                 let (name, place, offset) = (probe.name.clone(), place.clone(), probe.offset);
-                RecordedQuantity { name, quantity, place, body, s, offset }
+                RecordedQuantity { name, quantity, place, body, s, offset, surface }
             })
         });
         let recorded_quantities = recorded.collect();

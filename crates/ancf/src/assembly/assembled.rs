@@ -51,6 +51,8 @@ pub struct RecordedQuantity {
     pub s: f64,
     /// Coordinates (y, z) in the section.
     pub offset: [f64; 2],
+    /// Parameters (u, v) on a shell.
+    pub surface: Option<[f64; 2]>,
 }
 
 impl Assembly {

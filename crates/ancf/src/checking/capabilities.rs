@@ -35,6 +35,8 @@ pub(crate) fn capabilities(model: &IndexedModel<'_>) -> Vec<Finding> {
             Quantity::SectionForces => Some((Capability::Strain, "section forces")),
             Quantity::Strain => Some((Capability::Strain, "strain")),
             Quantity::Stress => Some((Capability::Strain, "stress")),
+            Quantity::Resultants => Some((Capability::Surface, "resultants")),
+            Quantity::SurfaceStress => Some((Capability::Surface, "surface stress")),
         };
         let rules = probe.record.iter().filter_map(of);
         rules
@@ -69,9 +71,12 @@ fn rule(
             (format!("{what} that clamps a rigid body"), "a beam, or a driven \"revolute\" joint")
         }
         (Body::Shell(_), Capability::Strain) => (
-            format!("{what} of {}, a shell, of which they are not recorded", quoted(body.name())),
-            "a beam or a cable",
+            format!("{what} of {}, a shell", quoted(body.name())),
+            "a beam or a cable; of shells, record \"resultants\" or \"surface_stress\"",
         ),
+        (Body::Beam(_) | Body::Cable(_) | Body::Rigid(_) | Body::Mass(_), Capability::Surface) => {
+            (format!("{what} of {}, which is no shell", quoted(body.name())), "a shell")
+        }
         (Body::Rigid(_) | Body::Mass(_), Capability::Strain) => {
             (format!("{what} of {}, which is rigid", quoted(body.name())), "a beam or a cable")
         }

@@ -186,7 +186,7 @@ impl<'a> ValueErrors<'a> {
                 Some((0..4).map(value).collect())
             }
             Quantity::SectionForces => self.of_section_forces(probe, gap),
-            Quantity::Strain | Quantity::Stress => None,
+            Quantity::Strain | Quantity::Stress | Quantity::Resultants | Quantity::SurfaceStress => None,
         }
     }
 

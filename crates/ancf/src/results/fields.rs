@@ -3,6 +3,7 @@ use std::sync::Arc;
 use ancf_mechanics::bodies::{BodyTerms, CarriedFrame};
 use ancf_mechanics::constraints::Wrench;
 use ancf_mechanics::kinematics::Attachment;
+use ancf_mechanics::shells::{StressField, SurfaceStress};
 use ancf_solver::equations::{State, Term};
 use nalgebra::Vector3;
 
@@ -21,31 +22,42 @@ pub enum Field {
     /// Acceleration x, y, z.
     Acceleration,
     /// Orthonormal frame, three axes with three global components each. Beams: normal, y and z of the section. Cables: tangent
-    /// and two transverse directions, carried along the cable without twist. Shells: normal and two
-    /// tangents of the middle. Rigid bodies: body axes. Point masses: global axes.
+    /// and two transverse directions, carried along the cable without twist. Shells: normal n, e₁ along r_,u, and n × e₁. Rigid
+    /// bodies: body axes. Point masses: global axes.
     Directors,
     /// N, Qy, Qz, T, My, Mz in the section frame: forces of the part at larger arc lengths on the part at smaller ones. NaN for
-    /// rigid bodies.
+    /// rigid bodies and shells.
     SectionForces,
+    /// Membrane forces and moments per length of shells, n_uu, n_vv, n_uv, m_uu, m_vv, m_uv; NaN for other bodies. Components are
+    /// those in the orthonormal frame of the reference surface: u along r_,u, v along n × r_,u.
+    Resultants,
+    /// Stresses of shells at the top, in the middle and at the bottom: uu, vv, uv of each. NaN for other bodies.
+    SurfaceStress,
+    /// Principal stresses of shells at the top, in the middle and at the bottom: σ₁ ≥ σ₂ and the angle from u to the direction of
+    /// σ₁ of each. NaN for other bodies.
+    PrincipalStress,
 }
 
 impl Field {
     /// All fields with their names.
-    pub const ALL: [(&'static str, Self); 6] = [
+    pub const ALL: [(&'static str, Self); 9] = [
         ("position", Self::Position),
         ("displacement", Self::Displacement),
         ("velocity", Self::Velocity),
         ("acceleration", Self::Acceleration),
         ("directors", Self::Directors),
         ("section_forces", Self::SectionForces),
+        ("resultants", Self::Resultants),
+        ("surface_stress", Self::SurfaceStress),
+        ("principal_stress", Self::PrincipalStress),
     ];
 
     /// Number of components.
     pub const fn width(self) -> usize {
         match self {
             Self::Position | Self::Displacement | Self::Velocity | Self::Acceleration => 3,
-            Self::Directors => 9,
-            Self::SectionForces => 6,
+            Self::Directors | Self::SurfaceStress | Self::PrincipalStress => 9,
+            Self::SectionForces | Self::Resultants => 6,
         }
     }
 }
@@ -55,15 +67,18 @@ impl Field {
 pub struct Station {
     /// Index of the body.
     pub body: usize,
-    /// Arc length of the undeformed axis, in the user's units; 0 for rigid bodies.
+    /// Arc length of the undeformed axis, in the user's units; 0 for shells and rigid bodies.
     pub s: f64,
+    /// Parameters (u, v) of a point of a shell.
+    pub surface: Option<[f64; 2]>,
     arc_length: f64,
     place: Attachment,
 }
 
 /// Evaluates fields of states at stations, in the order of the bodies.
 ///
-/// Stations are the nodes of beams and cables, points between them on request, the middle of shells, and the centres of rigid bodies.
+/// Stations are the nodes of beams, cables and shells, points between them on request, and the centres of rigid bodies. Those of
+/// a shell are a grid, along u first.
 #[derive(Debug)]
 pub struct Fields<'a> {
     assembly: &'a Assembly,
@@ -72,12 +87,13 @@ pub struct Fields<'a> {
 }
 
 impl<'a> Fields<'a> {
-    /// Creates stations at the nodes and at `parts` − 1 points within each element, evenly spaced by arc length.
+    /// Creates stations at the nodes and at `parts` − 1 points within each element, evenly spaced by arc length. In shells, they are
+    /// evenly spaced by u and by v.
     pub fn new(assembly: &'a Assembly, scales: Scales, parts: u32) -> Self {
         let along = |(number, (_, body)): (usize, (&str, &'a BodyTerms))| {
-            stations_of(body, parts.max(1)).into_iter().map(move |(arc_length, place)| {
+            stations_of(body, parts.max(1)).into_iter().map(move |(arc_length, surface, place)| {
                 let s = arc_length * scales.unit(Dimension::LENGTH);
-                Station { body: number, s, arc_length, place }
+                Station { body: number, s, surface, arc_length, place }
             })
         };
         let stations = assembly.bodies().enumerate().flat_map(along).collect();
@@ -93,6 +109,9 @@ impl<'a> Fields<'a> {
     pub fn fill(&self, field: Field, s: &State, to: &mut Vec<f64>) {
         let contacts = match field {
             Field::SectionForces => self.assembly.contact_terms(s),
+            Field::Resultants | Field::SurfaceStress | Field::PrincipalStress => {
+                return self.fill_surface(field, s, to);
+            }
             _ => Vec::new(),
         };
         let (mut body, mut carried) = (None, CarriedFrame::default());
@@ -134,7 +153,44 @@ impl<'a> Fields<'a> {
                     None => to.extend([f64::NAN; 6]),
                 }
             }
+            Field::Resultants | Field::SurfaceStress | Field::PrincipalStress => {}
         }
+    }
+
+    /// Calls `visit` with the stresses of each station, which only shells have, in the units of the solver.
+    pub fn each_surface_stress(&self, s: &State, mut visit: impl FnMut(Option<SurfaceStress>)) {
+        let mut field: Option<(usize, StressField<'_>)> = None;
+        for station in &self.stations {
+            let shell = self.assembly.body_of(station.body).shell().zip(station.surface);
+            visit(shell.map(|(mesh, at)| match &field {
+                Some((body, field)) if *body == station.body => field.at(at),
+                _ => field.insert((station.body, StressField::new(mesh, s))).1.at(at),
+            }));
+        }
+    }
+
+    fn fill_surface(&self, field: Field, s: &State, to: &mut Vec<f64>) {
+        let unit = |of| self.scales.unit(of);
+        let [force, moment] = [Dimension::FORCE_PER_LENGTH, Dimension::FORCE].map(unit);
+        let stress = unit(Dimension::STRESS);
+        self.each_surface_stress(s, |found| {
+            let Some(found) = found else {
+                to.extend(std::iter::repeat_n(f64::NAN, field.width()));
+                return;
+            };
+            match field {
+                Field::Resultants => {
+                    to.extend(found.force.iter().map(|n| n * force));
+                    to.extend(found.moment.iter().map(|m| m * moment));
+                }
+                Field::PrincipalStress => {
+                    to.extend(
+                        found.principal().iter().flat_map(|[a, b, angle]| [a * stress, b * stress, *angle]),
+                    );
+                }
+                _ => to.extend(found.layers.iter().flatten().map(|x| x * stress)),
+            }
+        });
     }
 
     fn frame(&self, station: &Station, s: &State, carried: &mut CarriedFrame) -> [Vector3<f64>; 3] {
@@ -149,15 +205,20 @@ impl<'a> Fields<'a> {
     }
 }
 
-/// Arc lengths and attachments of the stations of a body.
-fn stations_of(body: &BodyTerms, parts: u32) -> Vec<(f64, Attachment)> {
+/// Arc length, parameters on a surface, and attachment of a station.
+type StationPlace = (f64, Option<[f64; 2]>, Attachment);
+
+/// Stations of a body.
+fn stations_of(body: &BodyTerms, parts: u32) -> Vec<StationPlace> {
     match body {
         BodyTerms::Flexible(mesh) => {
             let count = mesh.count() * parts as usize;
             let at = |i: usize| mesh.length() * (i as f64 / count as f64);
-            (0..=count).map(|i| (at(i), mesh.attachment(at(i)))).collect()
+            (0..=count).map(|i| (at(i), None, mesh.attachment(at(i)))).collect()
         }
-        BodyTerms::Shell(mesh) => vec![(0.0, mesh.attachment([0.5; 2]))],
-        BodyTerms::Rigid(body) => vec![(0.0, body.attachment(body.centre()))],
+        BodyTerms::Shell(mesh) => {
+            mesh.grid(parts as usize).map(|at| (0.0, Some(at), mesh.station(at))).collect()
+        }
+        BodyTerms::Rigid(body) => vec![(0.0, None, body.attachment(body.centre()))],
     }
 }

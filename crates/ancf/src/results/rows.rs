@@ -22,6 +22,8 @@ use crate::units::{Dimension, Scales, UnitQuantity};
 /// | `p.N p.Qy p.Qz p.T p.My p.Mz` | section forces: those of the part at larger arc lengths on the part at smaller ones |
 /// | `p.exx p.eyy p.ezz p.exy p.exz p.eyz` | Green strain, in the section frame |
 /// | `p.sxx ..` | second Piola-Kirchhoff stress |
+/// | `p.nuu p.nvv p.nuv p.muu p.mvv p.muv` | membrane forces and moments per length of a shell |
+/// | `p.suu_top p.svv_top p.suv_top p.suu_middle ..`, `p.von_mises` | stresses of a shell; largest equivalent stress of both faces |
 /// | `j.fx j.fy j.fz`, `j.mx ..` | force and moment of each joint `j` on its end `a` |
 /// | `j.angle j.rate` | revolute and cylindrical joints: angle of `a` about the axis, with whole turns, and its rate |
 /// | `j.displacement j.speed` | prismatic and cylindrical joints: displacement along the axis, and its rate |
@@ -59,6 +61,20 @@ pub(crate) struct RowHistory {
 
 /// Indices of a symmetric matrix in the order of columns.
 const ENTRIES: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)];
+
+/// Columns of the stresses of a shell.
+const SURFACE_STRESS: [&str; 10] = [
+    "suu_top",
+    "svv_top",
+    "suv_top",
+    "suu_middle",
+    "svv_middle",
+    "suv_middle",
+    "suu_bottom",
+    "svv_bottom",
+    "suv_bottom",
+    "von_mises",
+];
 
 /// Name of the first column of dynamics.
 pub(crate) const TIME: &str = "t";
@@ -111,7 +127,7 @@ fn error_columns(assembly: &Assembly) -> Vec<Column> {
             Quantity::Motion => 3,
             Quantity::Rotation => 4,
             Quantity::SectionForces => 6,
-            Quantity::Strain | Quantity::Stress => 0,
+            Quantity::Strain | Quantity::Stress | Quantity::Resultants | Quantity::SurfaceStress => 0,
         };
         values.extend(columns_of_probe(&probe.name, probe.quantity).into_iter().take(count));
     }
@@ -149,6 +165,12 @@ fn columns_of_probe(name: &str, quantity: Quantity) -> Vec<Column> {
         }
         Quantity::Strain => of(&["exx", "eyy", "ezz", "exy", "exz", "eyz"], Dimension::NUMBER),
         Quantity::Stress => of(&["sxx", "syy", "szz", "sxy", "sxz", "syz"], Dimension::STRESS),
+        Quantity::Resultants => [
+            of(&["nuu", "nvv", "nuv"], Dimension::FORCE_PER_LENGTH),
+            of(&["muu", "mvv", "muv"], Dimension::FORCE),
+        ]
+        .concat(),
+        Quantity::SurfaceStress => of(&SURFACE_STRESS, Dimension::STRESS),
     }
 }
 
@@ -287,6 +309,19 @@ impl Rows {
                     let Some(Wrench { force, moment }) = found else { continue };
                     self.extend(force, Dimension::FORCE);
                     self.extend(moment, Dimension::ENERGY);
+                }
+                Quantity::Resultants | Quantity::SurfaceStress => {
+                    let shell = assembly.body_of(probe.body).shell().zip(probe.surface);
+                    let Some((mesh, at)) = shell else { continue };
+                    let found = mesh.stress(s, at);
+                    if probe.quantity == Quantity::Resultants {
+                        self.extend(found.force, Dimension::FORCE_PER_LENGTH);
+                        self.extend(found.moment, Dimension::FORCE);
+                    } else {
+                        found.layers.iter().for_each(|layer| self.extend(*layer, Dimension::STRESS));
+                        let [top, _, bottom] = found.von_mises();
+                        self.push(top.max(bottom), Dimension::STRESS);
+                    }
                 }
                 Quantity::Strain | Quantity::Stress => {
                     let Some(mesh) = assembly.body_of(probe.body).mesh() else { continue };

@@ -18,7 +18,7 @@ uniform bool crease;      // line on a surface
 uniform vec4 ground;      // vertical axis and level of the ground
 in vec3 local;            // coordinates along d1, d2, d3
 in vec3 localNormal;      // components along d1, d2, d3
-in float end;             // 0: station of the instance, 1: next station
+in float end;             // 0: station of the instance, 1: next station, ..
 in float station;
 in float body;
 in float radius;
@@ -64,7 +64,7 @@ void main() {
   z = normalize(z + vec3(1e-9));
   vec3 x = normalize(cross(y, z) + vec3(1e-9));
   float size = max(thickness, minPixels * pixelSize(centre) / max(radius, 1e-30));
-  vec3 offset = local * mix(startScale, endScale, end) * size;
+  vec3 offset = local * mix(startScale, endScale, min(end, 1.0)) * size;
   vec3 world = centre + offset.x * x + offset.y * y + offset.z * z;
   height = dot(world, ground.xyz) - ground.w;
   if (shadow) world -= height * ground.xyz;
@@ -90,6 +90,7 @@ uniform bool ghost;
 uniform bool coloured;
 uniform bool shadow;
 uniform bool crease;
+uniform float edges;      // strength of the lines on faces
 uniform float fading;     // height at which a shadow has faded to a third
 uniform vec4 ghostColour;
 in vec3 viewNormal;
@@ -118,10 +119,10 @@ void main() {
     base = missing > 0.0 ? vec3(0.68, 0.71, 0.74) : texture(colours, vec2(mix(window.x, window.y, level), 0.5)).rgb;
   }
   vec2 size = max(fwidth(onFace), 1e-6);
-  vec2 edge = (1.0 - abs(onFace)) / size;
+  vec2 edge = (1.0 - abs(mod(onFace + 1.0, 2.0) - 1.0)) / size;
   // Lines fade out on faces of a few pixels.
   vec2 lines = (1.0 - smoothstep(0.8, 1.8, edge)) * (1.0 - smoothstep(0.1, 0.3, size));
-  float line = crease ? 1.0 : max(lines.x, lines.y);
+  float line = crease ? 1.0 : edges * max(lines.x, lines.y);
   colour = vec4(shade(base, viewNormal, viewPosition) * (1.0 - 0.55 * line), 1.0);
 }
 `;

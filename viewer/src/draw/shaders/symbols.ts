@@ -51,11 +51,12 @@ void main() {
 export const ARROW_VERTEX = /* glsl */ `
 ${POINT_GLSL}
 uniform float head;       // length of a head in pixels
-uniform vec2 lengths;     // length in space per unit of force and of moment
 in vec4 shape;            // position (arrow lengths), backward shift (heads), radius (heads), angle
 in float secondHead;      // 1: vertex of the second head, drawn for moments only
-in vec2 anchor;           // indices of the marker and of the vector
+in vec2 anchor;           // indices of the base and of the vector
 in float moment;
+in float perUnit;         // length in space per unit of the vector
+in float colour;
 out vec3 viewNormal;
 out vec3 viewPosition;
 flat out int colourIndex;
@@ -63,7 +64,7 @@ void main() {
   vec3 base = point(int(anchor.x + 0.5));
   vec3 v = interpolated(int(anchor.y + 0.5));
   float size = length(v);
-  float arrowLength = size * (moment > 0.5 ? lengths.y : lengths.x);
+  float arrowLength = size * perUnit;
   vec3 n = v / max(size, 1e-30), u, w;
   perpendicular(n, u, w);
   float h = min(head * pixelSize(base), 0.45 * arrowLength);
@@ -73,7 +74,7 @@ void main() {
   vec4 view = viewMatrix * vec4(world, 1.0);
   viewNormal = mat3(viewMatrix) * (radial + 0.3 * n);
   viewPosition = view.xyz;
-  colourIndex = moment > 0.5 ? 1 : 0;
+  colourIndex = int(colour + 0.5);
   gl_Position = arrowLength > 0.0 ? projectionMatrix * view : vec4(0.0, 0.0, 2.0, 1.0);
 }
 `;
@@ -85,7 +86,7 @@ uniform float coil;       // radius of the coil of a spring
 uniform float wire;       // radius of a rod or wire
 uniform float minPixels;  // lower limit of the radius in pixels
 in vec2 shape;            // position along the length (0 to 1), angle around the wire
-in float firstEnd;        // index of the first end
+in vec2 ends;             // indices of both ends
 in float turns;           // number of turns, 0: straight
 in float radiusFactor;
 in float colour;
@@ -93,7 +94,7 @@ out vec3 viewNormal;
 out vec3 viewPosition;
 flat out int colourIndex;
 void main() {
-  vec3 a = point(int(firstEnd + 0.5)), b = point(int(firstEnd + 1.5));
+  vec3 a = point(int(ends.x + 0.5)), b = point(int(ends.y + 0.5));
   vec3 n = b - a, u, v;
   float size = length(n);
   n = size > 0.0 ? n / size : vec3(1.0, 0.0, 0.0);
@@ -115,14 +116,14 @@ void main() {
 }
 `;
 
-/** Shaded surface of arrows and links. */
+/** Shaded surface of arrows, links and supported edges. */
 export const SOLID_FRAGMENT = /* glsl */ `
 precision highp float;
-uniform vec3 solidColours[5];
+uniform vec3 solidColours[7];
 in vec3 viewNormal;
 in vec3 viewPosition;
 flat in int colourIndex;
 out vec4 colour;
 ${LIGHTING_GLSL}
-void main() { colour = vec4(shade(solidColours[colourIndex % 5], viewNormal, viewPosition), 1.0); }
+void main() { colour = vec4(shade(solidColours[colourIndex % 7], viewNormal, viewPosition), 1.0); }
 `;

@@ -25,7 +25,7 @@ from ancf.graphics.frames import (
     require_frames,
     require_int,
 )
-from ancf.graphics.lines import Lines
+from ancf.graphics.lines import Lines, drawn_parts
 from ancf.graphics.style import style
 from ancf.graphics.view import Canvas, View
 from ancf.record.result_data import ResultData
@@ -89,7 +89,7 @@ class Animations(ResultData):
         require_frames(self)
         if save is not None:
             _check_file(Path(save))
-        lines = Lines(self, parts)
+        lines = Lines(self, drawn_parts(self, parts))
         film = (
             ModeSequence(self, lines, mode, scale, fps)
             if lines.modal
@@ -111,7 +111,7 @@ class Animations(ResultData):
 
         def update(frame: int) -> list[Any]:
             positions = film.positions(frame)
-            paths = [view.coordinates(positions[stations]).T for stations in lines.bodies.values()]
+            paths = [path.T for path in lines.polylines(view.coordinates(positions))]
             if not lines.modal:
                 paths.append(arm_coordinates(view, lines, frame, positions))
             for line, path in zip([*drawn, arms], paths, strict=False):

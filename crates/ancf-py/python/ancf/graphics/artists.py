@@ -15,6 +15,9 @@ if TYPE_CHECKING:
     from ancf.graphics.view import Canvas, View
     from ancf.record.columns import Array
 
+SHELL_LINE = 0.9
+"""Width of the edges of shell elements."""
+
 TRIANGLE_BELOW = 6
 """Marker of matplotlib: a triangle whose upper corner is the point."""
 
@@ -31,13 +34,14 @@ def body_colours(lines: Lines, color: str | None) -> list[str]:
 def draw_lines(
     ax: Canvas, view: View, lines: Lines, positions: Array, colours: list[str], look: dict[str, Any]
 ) -> list[Any]:
-    """Draw a line for each flexible body and a dot for each rigid body."""
+    """Draw a line for each beam and cable, the edges of the elements of each shell, and a dot for each rigid body."""
     drawn = []
-    seen = view.coordinates(positions)
-    for (name, stations), colour in zip(lines.bodies.items(), colours, strict=True):
-        marker = {"marker": "o"} if stations.stop - stations.start == 1 else {}
-        keys = {"label": name, "color": colour, "linestyle": "-"} | marker | look
-        drawn.extend(ax.plot(*seen[stations].T, **keys))
+    paths = lines.polylines(view.coordinates(positions))
+    for name, path, colour in zip(lines.bodies, paths, colours, strict=True):
+        marker = {"marker": "o"} if len(path) == 1 else {}
+        width = {"linewidth": SHELL_LINE} if name in lines.grids else {}
+        keys = {"label": name, "color": colour, "linestyle": "-"} | width | marker | look
+        drawn.extend(ax.plot(*path.T, **keys))
     return drawn
 
 
@@ -71,24 +75,46 @@ def draw_values(
     colours: tuple[str, tuple[float, float]],
     look: dict[str, Any],
 ) -> Canvas:
-    """Draw the lines of all bodies in the colours of values, by a colour map and its limits.
+    """Draw the lines and shells of all bodies in the colours of values, by a colour map and its limits.
 
-    A segment has the mean value of its ends.
+    A segment has the mean value of its ends, a cell that of its corners.
     """
     seen = view.coordinates(positions)
     for stations in lines.bodies.values():
         if stations.stop - stations.start == 1:
             ax.plot(*seen[stations].T, **{"marker": "o", "color": ARM_GREY} | alpha(look))
     firsts = lines.segments
-    keys = {
-        "array": (values[firsts] + values[firsts + 1]) / 2,
-        "cmap": colour_map(colours[0]),
-        "clim": colours[1],
-        "linewidths": look.get("linewidth", 3.0),
-        "capstyle": "round",
-        **alpha(look),
-    }
-    return _collection(ax, view, np.stack([seen[firsts], seen[firsts + 1]], axis=1), keys)
+    common = {"cmap": colour_map(colours[0]), "clim": colours[1], **alpha(look)}
+    drawn = None
+    if len(lines.cells):
+        drawn = _draw_cells(ax, view, lines, positions, values, common)
+    if len(firsts):
+        keys = common | {
+            "array": (values[firsts] + values[firsts + 1]) / 2,
+            "linewidths": look.get("linewidth", 3.0),
+            "capstyle": "round",
+        }
+        drawn = _collection(ax, view, np.stack([seen[firsts], seen[firsts + 1]], axis=1), keys)
+    return drawn
+
+
+def _draw_cells(
+    ax: Canvas, view: View, lines: Lines, positions: Array, values: Array, keys: dict[str, Any]
+) -> Canvas:
+    """Draw the cells of shells as one artist, in a plane the nearest ones last."""
+    from matplotlib.collections import PolyCollection
+    from mpl_toolkits.mplot3d.art3d import Poly3DCollection  # type: ignore[import-untyped]
+
+    cells = lines.cells
+    if not view.spatial:
+        depth = positions[cells].mean(axis=1) @ np.cross(*view.basis)
+        cells = cells[np.argsort(depth)]
+    seen = view.coordinates(positions)[cells]
+    # Without antialiasing, faces have no gaps between them.
+    keys = keys | {"array": values[cells].mean(axis=1), "linewidths": 0.0, "antialiaseds": False}
+    if view.spatial:
+        return ax.add_collection3d(Poly3DCollection(seen, **keys))
+    return ax.add_collection(PolyCollection(list(seen), **keys))
 
 
 def _collection(ax: Canvas, view: View, segments: Array, keys: dict[str, Any]) -> Canvas:

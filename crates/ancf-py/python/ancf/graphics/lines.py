@@ -1,8 +1,8 @@
-"""Axes of bodies as lines through their stations."""
+"""Axes of bodies as lines through their stations, and shells as grids."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
 
@@ -13,8 +13,24 @@ if TYPE_CHECKING:
     from ancf.record.result_data import ResultData
 
 
+Indices: TypeAlias = "np.typing.NDArray[np.int64]"
+
+NO_CELLS: Indices = np.empty((0, 4), dtype=np.int64)
+
+MAX_SHELL_STATIONS = 4000
+"""Number of stations of all shells above which the parts of their elements are fewer."""
+
+
+def drawn_parts(result: ResultData, parts: int) -> int:
+    """Return the number of parts per element, less than `parts` if a model has shells with many elements."""
+    shells = [body["elements"] for body in result.model["bodies"] if body["kind"] == "shell"]
+    while parts > 1 and sum((n * parts + 1) * (m * parts + 1) for n, m in shells) > MAX_SHELL_STATIONS:
+        parts -= 1
+    return parts
+
+
 class Lines:
-    """Lines along the axes of all bodies in each frame of a result."""
+    """Lines along the axes of all bodies and along the elements of shells in each frame of a result."""
 
     def __init__(self, result: ResultData, parts: int = 8) -> None:
         """Compute lines with `parts` segments per element. The line of a rigid body is a point."""
@@ -25,8 +41,21 @@ class Lines:
         """Stations of each body."""
         self.arc_lengths = np.array([s for _, s in stations])
         """Arc length of each station."""
-        self.segments = np.array([i for i in range(len(names) - 1) if names[i] == names[i + 1]], dtype=int)
-        """First station of each segment."""
+        shells = {
+            body["name"]: body["elements"] for body in result.model["bodies"] if body["kind"] == "shell"
+        }
+        self.grids: dict[str, Indices] = {
+            name: self.bodies[name].start
+            + np.arange((n * parts + 1) * (m * parts + 1)).reshape(m * parts + 1, n * parts + 1)
+            for name, (n, m) in shells.items()
+        }
+        """Stations of each shell, `[row, column]`."""
+        is_along = [names[i] == names[i + 1] and names[i] not in shells for i in range(len(names) - 1)]
+        self.segments: Indices = np.flatnonzero(is_along)
+        """First station of each segment of beams and cables."""
+        self.cells: Indices = np.concatenate([cells(grid) for grid in self.grids.values()] or [NO_CELLS])
+        """Corners of the cells of shells, `[cell, 4]`."""
+        self._parts = parts
         self.path = result.field("position", parts=parts)
         """Positions, `[frame, station, 3]`. Modes have the positions of the linearised state."""
         self.reference: Array = (self.path[:1] - result.field("displacement", parts=parts)[:1])[0]
@@ -60,6 +89,14 @@ class Lines:
         )
         return deflected
 
+    def polylines(self, seen: Array) -> list[Array]:
+        """Return the points of the line of each body from those of all stations, with gaps of NaN in shells."""
+        extended = np.concatenate([seen, np.full_like(seen[:1], np.nan)])
+        return [
+            extended[element_edges(self.grids[name], self._parts)] if name in self.grids else seen[stations]
+            for name, stations in self.bodies.items()
+        ]
+
     def symbols(self, row: int, scale: float | None = None) -> dict[str, dict[str, Array]]:
         """Return the positions of joints, probes and loads in a frame, by kind and name."""
         scale = self.scale(row) if scale is None else scale
@@ -72,6 +109,19 @@ class Lines:
     def points(self, row: int, positions: Array) -> Array:
         """Return all points of the lines and arms of bodies at `positions`, `[point, 3]`."""
         return np.concatenate([positions, self.arms.tips(row, positions)])
+
+
+def cells(grid: Indices) -> Indices:
+    """Return the corners of the cells of a grid, counter-clockwise as seen from the side of the normal."""
+    corners = [grid[:-1, :-1], grid[:-1, 1:], grid[1:, 1:], grid[1:, :-1]]
+    return np.stack(corners, axis=-1).reshape(-1, 4)
+
+
+def element_edges(grid: Indices, parts: int) -> Indices:
+    """Return the stations along the edges of elements, with -1 between the lines."""
+    gap = [[-1]]
+    lines = [*grid[::parts], *grid.T[::parts]]
+    return np.concatenate([part for line in lines for part in (line, *gap)])
 
 
 class Arms:

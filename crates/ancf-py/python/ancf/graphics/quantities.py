@@ -28,6 +28,8 @@ COMPONENTS = {
     **{suffix: ("section_forces", i) for i, suffix in enumerate(VECTORS["section_forces"])},
     **{suffix: ("strain", i) for i, suffix in enumerate(VECTORS["strain"])},
     **{suffix: ("stress", i) for i, suffix in enumerate(VECTORS["stress"])},
+    **{suffix: ("resultants", i) for i, suffix in enumerate(VECTORS["resultants"])},
+    **{suffix: ("surface_stress", i) for i, suffix in enumerate(VECTORS["surface_stress"])},
 }
 """Fields and numbers of the components that are known by their symbols, as the columns of probes."""
 
@@ -98,20 +100,17 @@ def ends(values: Array) -> tuple[float, float]:
 def quantity(result: ResultData, name: str, parts: int = 8) -> Quantity:
     """Compute a quantity by its name.
 
-    Names are components of section forces, strain and stress such as `Mz`, `exx`, `sxx`; the magnitudes of
-    `displacement`, `velocity`, `acceleration` and their components such as `displacement.y`; scalar fields of the
-    report such as `axial_stress`. The `displacement` of a mode is its shape, relative to its maximum.
+    Names are components of section forces, resultants, strain and stress such as `Mz`, `muu`, `exx`, `sxx`, `suu_top`;
+    the magnitudes of `displacement`, `velocity`, `acceleration` and their components such as `displacement.y`; scalar
+    fields of the report such as `axial_stress`. The `displacement` of a mode is its shape, relative to its maximum.
     """
     vector, _, component = name.partition(".")
     if name in COMPONENTS:
         field, index = COMPONENTS[name]
-        label = LABELS.get(name, f"{field} {name}")
-        return Quantity(
-            label,
-            result.field_units.get(name),
-            is_signed=True,
-            values=result.field(field, parts=parts)[..., index],
-        )
+        label = LABELS.get(name, f"{field} {name}".replace("_", " "))
+        numbers = result.field(field, parts=parts)
+        values = numbers.reshape(*numbers.shape[:2], -1)[..., index]
+        return Quantity(label, result.field_units.get(name), is_signed=True, values=values)
     if vector in COLOUR_VECTORS and (not component or component in AXES):
         return _of_vector(result, vector, component, parts)
     if not component and not result.is_modal:

@@ -16,7 +16,7 @@ from ancf.graphics.artists import (
     draw_values,
 )
 from ancf.graphics.frames import elastic_modes, frame_label, frame_numbers, require_int
-from ancf.graphics.lines import Lines
+from ancf.graphics.lines import Lines, drawn_parts
 from ancf.graphics.quantities import Quantity, quantity
 from ancf.graphics.style import COLOURS, style
 from ancf.graphics.view import View
@@ -61,8 +61,8 @@ class ShapePlots(ResultData):
             Two letters such as `xz`, the first to the right, or `3d`; by default the plane of the model.
         color
             A colour, or the quantity to colour by: `stress`, `axial_stress`, `shear_stress`, `bending_moment` and the
-            other fields of the report, see `field`; components such as `Mz`, `exx`, `sxx`; `displacement`, `velocity`,
-            `acceleration`, or components such as `displacement.y`.
+            other fields of the report, see `field`; components such as `Mz`, `exx`, `sxx`, `suu_top`; `displacement`,
+            `velocity`, `acceleration`, or components such as `displacement.y`.
         scale
             Factor of deflections; by default 1, for modes chosen automatically.
         reference
@@ -70,13 +70,14 @@ class ShapePlots(ResultData):
         joints
             True to plot joints and supports in the last of the rows.
         parts
-            Number of segments per element.
+            Number of segments per element, fewer for shells with many elements.
         ax
             Axes to plot in; new ones by default.
         **line
             Properties of the lines, such as `linewidth=3`.
 
         """
+        parts = drawn_parts(self, parts)
         lines = Lines(self, parts)
         shown = frame_numbers(self, frame, time)
         positions = [lines.positions(row, scale) for row in shown]
@@ -135,11 +136,12 @@ class ShapePlots(ResultData):
         scale
             Factor of the shapes; by default chosen automatically.
         parts
-            Number of segments per element.
+            Number of segments per element, fewer for shells with many elements.
 
         """
         import matplotlib.pyplot as plt
 
+        parts = drawn_parts(self, parts)
         lines = Lines(self, parts)
         if not lines.modal:
             msg = f"a result of {self.kind} has no shapes"
@@ -175,7 +177,7 @@ def _quantity(result: ResultData, lines: Lines, color: str | None, parts: int) -
 
     if color is None or is_color_like(color):
         return None
-    if not len(lines.segments):
-        msg = f"color: found {color!r}, expected a colour, since there is no beam or cable"
+    if not len(lines.segments) and not len(lines.cells):
+        msg = f"color: found {color!r}, expected a colour, since there is no beam, cable or shell"
         raise ValueError(msg)
     return quantity(result, color, parts)

@@ -14,7 +14,15 @@ from ancf.model.base.places import Place
 
 __all__ = ["Output", "Probe", "ProbeQuantity"]
 
-ProbeQuantity: TypeAlias = Literal["motion", "rotation", "section_forces", "strain", "stress"]
+ProbeQuantity: TypeAlias = Literal[
+    "motion",
+    "rotation",
+    "section_forces",
+    "strain",
+    "stress",
+    "resultants",
+    "surface_stress",
+]
 """Quantity that a probe records.
 
 * ``"motion"``: Position, velocity and acceleration of the point.
@@ -25,6 +33,12 @@ ProbeQuantity: TypeAlias = Literal["motion", "rotation", "section_forces", "stra
 * ``"strain"``: Green-Lagrange strain at the point in the frame of the section: ``exx``, ``eyy``, ``ezz``,
   ``exy``, ``exz``, ``eyz``.
 * ``"stress"``: Second Piola-Kirchhoff stress at the point: ``sxx`` and so on.
+* ``"resultants"``: Membrane forces and moments per length of a shell: ``nuu``, ``nvv``, ``nuv``, ``muu``,
+  ``mvv``, ``muv``. Components are those in the orthonormal frame of the undeformed surface: u along ∂r/∂u, v
+  normal to it. Moments are positive for tension at the top, the side of the normal.
+* ``"surface_stress"``: Second Piola-Kirchhoff stress of a shell at the top, in the middle and at the bottom,
+  in the same frame: ``suu_top``, ``svv_top``, ``suv_top``, ``suu_middle`` and so on. The largest equivalent
+  stress of both faces, ``von_mises``.
 """
 
 

@@ -17,6 +17,10 @@ VECTORS: dict[str, tuple[str, ...]] = {
     "section_forces": ("N", "Qy", "Qz", "T", "My", "Mz"),
     "strain": ("exx", "eyy", "ezz", "exy", "exz", "eyz"),
     "stress": ("sxx", "syy", "szz", "sxy", "sxz", "syz"),
+    "resultants": ("nuu", "nvv", "nuv", "muu", "mvv", "muv"),
+    "surface_stress": tuple(
+        f"s{component}_{layer}" for layer in ("top", "middle", "bottom") for component in ("uu", "vv", "uv")
+    ),
     "force": ("fx", "fy", "fz"),
     "moment": ("mx", "my", "mz"),
 }

@@ -26,9 +26,16 @@ STATION_FIELDS = (
     "acceleration",
     "directors",
     "section_forces",
+    "resultants",
+    "surface_stress",
+    "principal_stress",
     *TENSORS,
 )
 """Fields of vectors and tensors."""
+
+
+ROWS_OF_THREE = ("directors", "surface_stress", "principal_stress")
+"""Fields with the shape (3, 3) at each station."""
 
 
 class ScalarField(NamedTuple):
@@ -99,17 +106,25 @@ class Record(Columns):
         """Compute a quantity along the bodies, `[row, station, component]`, or `[station, component]` of one row.
 
         * `position`, `displacement`, `velocity`, `acceleration`: x, y, z
-        * `directors`: (3, 3), normal, y and z of the section, or the axes of a rigid body, in global components
-        * `section_forces`: N, Qy, Qz, T, My, Mz; NaN for rigid bodies
+        * `directors`: (3, 3), normal, y and z of the section, or the axes of a rigid body, in global components; normal
+          and two tangents of a shell
+        * `section_forces`: N, Qy, Qz, T, My, Mz of beams and cables
+        * `resultants`: nuu, nvv, nuv, muu, mvv, muv of shells, in the orthonormal frame of the undeformed surface:
+          u along its first parameter, v normal to it
+        * `surface_stress`: (3, 3), stresses uu, vv, uv of shells at the top, in the middle and at the bottom
+        * `principal_stress`: (3, 3), σ₁ ≥ σ₂ and the angle from u to the direction of σ₁, at the same surfaces
         * `strain`, `stress`: Green-Lagrange strain, second Piola-Kirchhoff stress, xx, yy, zz, xy, xz, yz in the frame
           of the section, on the axis or at `offset` (y, z), as a probe records them
         * one number per station, `[row, station]`, as the report colours bodies: `axial_force`, `shear_force`,
-          `torque`, `bending_moment`, `axial_stress`, `shear_stress`, `von_mises_stress`, ... Stresses
-          are the largest of the section by the section forces. These numbers have single precision.
+          `torque`, `bending_moment`, `axial_stress`, `shear_stress`, `von_mises_stress`, ... Stresses of beams
+          are the largest of the section by the section forces. Shells have `von_mises_stress` (the larger of both
+          faces), `von_mises_stress_top`, `stress_uu_top`, `principal_stress_1_top`, `membrane_force_uu`, `moment_uu`,
+          `energy_density`, ... These numbers have single precision.
 
-        Stations are the ends of elements and, with `parts` > 1, equidistant points within each. A rigid body has
-        one station, its centre. Stations are in the order of the bodies (see `stations`). `body` selects those of
-        one body, `rows` selects rows by a number, a slice or several numbers.
+        A field is NaN for bodies that do not have it. Stations are the ends of elements and, with `parts` > 1,
+        equidistant points within each. Those of a shell are a grid, see `surface_grid`. A rigid body has one station,
+        its centre. Stations are in the order of the bodies (see `stations`). `body` selects those of one body,
+        `rows` selects rows by a number, a slice or several numbers.
 
         A result of `ancf.load` has the states that were kept: its rows of a field are at `Result.frames`.
         """
@@ -120,7 +135,7 @@ class Record(Columns):
             if body not in names:
                 raise KeyError(unknown_name("body", body, names))
             numbers = numbers[:, np.asarray(numbers_of) == names.index(body)]
-        if name == "directors":
+        if name in ROWS_OF_THREE:
             numbers = numbers.reshape(*numbers.shape[:2], 3, 3)
         return numbers[0] if np.ndim(chosen) == 0 or self.data.ndim == 1 else numbers
 
@@ -144,6 +159,6 @@ class Record(Columns):
         return {field.name.lower().replace(" ", "_"): field for field in found}
 
     def stations(self, parts: int = 1) -> list[tuple[str, float]]:
-        """Return body and arc length of each station of a field."""
+        """Return body and arc length of each station of a field. The arc length is 0 in shells and rigid bodies."""
         names, bodies, lengths = self.states.stations(parts)
         return [(names[body], s) for body, s in zip(bodies, lengths, strict=True)]

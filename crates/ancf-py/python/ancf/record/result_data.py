@@ -8,6 +8,7 @@ import numpy as np
 
 from ancf.record.columns import VECTORS, Array
 from ancf.record.record import STATION_FIELDS, Record
+from ancf.record.suggestion import unknown_name
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -22,6 +23,9 @@ COMPONENT_NAMES = {
     "section_forces": "component",
     "strain": "tensor_component",
     "stress": "tensor_component",
+    "resultants": "resultant",
+    "surface_stress": "layer_component",
+    "principal_stress": "principal_component",
 }
 """Names of the last dimension of fields that are not vectors."""
 
@@ -160,6 +164,17 @@ class ResultData(Record):
             data[name] = ((over, "station", COMPONENT_NAMES.get(name, "axis")), numbers, _attributes(unit))
         return data
 
+    def surface_grid(self, body: str, parts: int = 1) -> Array:
+        """Return the parameters (u, v) of the stations of a shell, `[row, column, 2]`, with u along the columns.
+
+        A field of the shell with the same `parts` has this grid as `field.reshape(*grid.shape[:2], -1)`.
+        """
+        shells = {own["name"]: own for own in self.model["bodies"] if own["kind"] == "shell"}
+        if body not in shells:
+            raise KeyError(unknown_name("shell", body, list(shells)))
+        u, v = (np.linspace(0, 1, count * parts + 1) for count in shells[body]["elements"])
+        return np.stack(np.meshgrid(u, v), axis=-1)
+
     @property
     def field_units(self) -> dict[str, str]:
         """Units of fields and of the components of section forces and stresses, if the model names its `units`."""
@@ -169,7 +184,10 @@ class ResultData(Record):
         length, time, force = names["length"], names["time"], names["force"]
         own = dict.fromkeys(("position", "displacement"), length)
         own |= {"velocity": f"{length}/{time}", "acceleration": f"{length}/{time}²", "time": time}
-        own |= dict.fromkeys(("stress", *VECTORS["stress"]), f"{force}/{length}²")
+        stresses = ("stress", "surface_stress", *VECTORS["stress"], *VECTORS["surface_stress"])
+        own |= dict.fromkeys(stresses, f"{force}/{length}²")
+        own |= dict.fromkeys(VECTORS["resultants"][:3], f"{force}/{length}")
+        own |= dict.fromkeys(VECTORS["resultants"][3:], force)
         return (
             own
             | dict.fromkeys(("N", "Qy", "Qz"), force)

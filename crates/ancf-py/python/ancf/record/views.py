@@ -95,6 +95,8 @@ class Probe(View):
         "section_forces",
         "strain",
         "stress",
+        "resultants",
+        "surface_stress",
     )
 
     kind = "Probe"
@@ -141,6 +143,16 @@ class Probe(View):
     def stress(self) -> Array:
         """Second Piola-Kirchhoff stress xx, yy, zz, xy, xz, yz; force/length²."""
         return self._columns.vector(self.name, "stress")
+
+    @property
+    def resultants(self) -> Array:
+        """Membrane forces and moments of a shell, nuu, nvv, nuv, muu, mvv, muv; force/length, force."""
+        return self._columns.vector(self.name, "resultants")
+
+    @property
+    def surface_stress(self) -> Array:
+        """Stresses of a shell uu, vv, uv at the top, in the middle and at the bottom, `[..., 9]`; force/length²."""
+        return self._columns.vector(self.name, "surface_stress")
 
 
 class Reaction(View):

@@ -50,6 +50,12 @@ pub enum Quantity {
     Strain,
     /// Second Piola-Kirchhoff stress at the point: `sxx` and so on.
     Stress,
+    /// Membrane forces and moments per length of a shell: `nuu`, `nvv`, `nuv`, `muu`, `mvv`, `muv`. Components are those in the
+    /// orthonormal frame of the undeformed surface: u along ∂r/∂u, v normal to it. Moments are positive for tension at the top, the side of the normal.
+    Resultants,
+    /// Second Piola-Kirchhoff stress of a shell at the top, in the middle and at the bottom, in the same frame: `suu_top`, `svv_top`,
+    /// `suv_top`, `suu_middle` and so on. The largest equivalent stress of both faces, `von_mises`.
+    SurfaceStress,
 }
 
 /// Content and frequency of the output.

@@ -9,4 +9,6 @@ pub enum Capability {
     DrivenSection,
     /// Section forces, strain and stress: beams and cables.
     Strain,
+    /// Resultants and stresses of a surface: shells.
+    Surface,
 }

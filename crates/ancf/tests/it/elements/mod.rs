@@ -6,5 +6,6 @@ mod continuum_energy;
 mod formulations;
 mod large_rotations;
 mod properties;
+mod shell_stresses;
 mod shells;
 mod thick_bending;

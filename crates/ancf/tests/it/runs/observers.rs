@@ -205,3 +205,43 @@ fn assert_close(found: &[f64], expected: &[f64]) {
         assert!((x - y).abs() <= 1e-12 * size, "{found:?} instead of {expected:?}");
     }
 }
+
+/// Stations of fields are a grid with the values of probes, and frames whose first tangent is that of the stresses.
+#[test]
+fn fields_have_the_values_of_probes() {
+    let text = "materials.m = { young = 12e6, poisson = 0.3, density = 1 }\n\
+         bodies = [{ kind = \"shell\", name = \"s\", surface = { kind = \"twisted\", from = [0, 0, 0], to = [1, 0, 0], width = [0, 0.4, 0.1], twist = 0.5 }, elements = [3, 2], thickness = 0.01, material = \"m\" },\n\
+         { kind = \"mass\", name = \"stone\", center = [0, 0, 3], mass = 1 }]\n\
+         loads = [{ kind = \"surface_pressure\", body = \"s\", pressure = 1 }]\n\
+         joints = [{ kind = \"support\", name = \"root\", a = { body = \"s\", at = { edge = \"u_start\" } }, condition = \"clamped\" }]\n\
+         probes = [{ name = \"p\", on = { body = \"s\", at = [0.5, 0.75] }, record = [\"motion\", \"resultants\", \"surface_stress\"] }]\n\
+         scales.kind = \"auto\"\n\
+         analysis = { kind = \"dynamics\", duration = 0.01, step = 0.001, scheme = \"average_acceleration\" }\n";
+    let simulation = Simulation::new(&Model::parse(text).unwrap()).unwrap();
+    let mut recorder = StateRecorder::default();
+    assert!(simulation.run(&mut recorder).unwrap().outcome.is_finished());
+    let row = recorder.states.len() - 1;
+    let fields = Fields::new(simulation.assembly(), simulation.scales(), 2);
+    assert_eq!(fields.stations().len(), 7 * 5 + 1);
+    let station = fields.stations().iter().position(|s| s.surface == Some([0.5, 0.75])).unwrap();
+    assert_eq!(station, 3 * 7 + 3);
+    for (field, column) in [
+        (Field::Position, "p.x"),
+        (Field::Velocity, "p.vx"),
+        (Field::Resultants, "p.nuu"),
+        (Field::SurfaceStress, "p.suu_top"),
+    ] {
+        let mut numbers = Vec::new();
+        fields.fill(field, &recorder.states[row], &mut numbers);
+        let width = field.width();
+        let own = &numbers[station * width..(station + 1) * width];
+        let expected = recorder.numbers(row, column, width);
+        let size = expected.iter().fold(0.0, |size: f64, x| size.max(x.abs()));
+        assert!(size > 0.0);
+        own.iter()
+            .zip(expected)
+            .for_each(|(x, expected)| assert!((x - expected).abs() < 1e-10 * size, "{column}"));
+        let of_stone = &numbers[35 * width..];
+        assert!(of_stone.len() == width && (width == 3 || of_stone.iter().all(|x| x.is_nan())));
+    }
+}

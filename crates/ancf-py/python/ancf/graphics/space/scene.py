@@ -8,7 +8,7 @@ import numpy as np
 
 from ancf import _ancf
 from ancf.graphics.frames import require_int
-from ancf.graphics.lines import Lines
+from ancf.graphics.lines import Lines, drawn_parts
 from ancf.graphics.quantities import quantity
 from ancf.graphics.space.surface import Outlines, Surface
 from ancf.graphics.style import COLOURS
@@ -44,6 +44,7 @@ class Scene:
         """Compute the surfaces of `Result.scene`. Their minimum thickness is `least` times the size of the model."""
         require_int("sides", sides, 3)
         self.result, self.color = result, color
+        parts = drawn_parts(result, parts)
         self.lines = Lines(result, parts)
         self.geometry = self.lines.geometry
         self.scale = scale
@@ -118,10 +119,12 @@ class Scene:
         mesh.compute_normals(cell_normals=False, split_vertices=False, consistent_normals=False, inplace=True)
 
     def _aligned(self, directors: Array, positions: Array) -> Array:
-        """Return directors rotated to the tangents of the lines, with minimal rotation."""
+        """Return directors rotated to the tangents of the lines, with minimal rotation, and those of shells."""
         turned: Array = directors.copy()
-        for stations in self.lines.bodies.values():
-            if stations.stop - stations.start > 1:
+        for name, stations in self.lines.bodies.items():
+            if name in self.lines.grids:
+                turned[stations] = _frames(positions[self.lines.grids[name]])
+            elif stations.stop - stations.start > 1:
                 tangent = np.gradient(positions[stations], axis=0)
                 normal = tangent / np.linalg.norm(tangent, axis=1, keepdims=True)
                 y = directors[stations, 1]
@@ -134,7 +137,10 @@ class Scene:
         data = {body["name"]: body for body in self.model["bodies"]}
         size = self.lines.size
         for number, (name, stations) in enumerate(self.lines.bodies.items()):
-            if stations.stop - stations.start > 1:
+            if name in self.lines.grids:
+                thickness = max(data[name]["thickness"], self._least)
+                yield Surface.shell(number, self.lines.grids[name], thickness)
+            elif stations.stop - stations.start > 1:
                 s = self.lines.arc_lengths[stations]
                 outlines = Outlines.of_body(self.geometry, name, s, self.sides).thickened(self._least)
                 yield Surface.swept(number, range(stations.start, stations.stop), outlines)
@@ -187,6 +193,15 @@ class Scene:
         along, margin = (self.lines.reference - point) @ axis, CYLINDER_MARGIN * self.lines.size
         start, end = (point - origin + axis * s for s in (along.min() - margin, along.max() + margin))
         return Surface.cylinder(body, station, start, end, radius, sides)
+
+
+def _frames(grid: Array) -> Array:
+    """Return normal and tangents of a surface, `[point, 3, 3]`, from its points `[row, column, 3]`."""
+    along, across = np.gradient(grid, axis=1), np.gradient(grid, axis=0)
+    normal = np.cross(along, across)
+    normal, along = (x / np.linalg.norm(x, axis=-1, keepdims=True) for x in (normal, along))
+    frames: Array = np.stack([normal, along, np.cross(normal, along)], axis=-2)
+    return frames.reshape(-1, 3, 3)
 
 
 def _rgb(surface: Surface) -> list[int]:

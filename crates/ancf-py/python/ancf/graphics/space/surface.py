@@ -1,4 +1,4 @@
-"""Surfaces fixed to stations: swept sections, boxes, cylinders and spheres."""
+"""Surfaces fixed to stations: swept sections, shells, boxes, cylinders and spheres."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from typing import TypeAlias
 import numpy as np
 
 from ancf import _ancf
+from ancf.graphics.lines import cells
 from ancf.record.columns import Array
 
 Numbers: TypeAlias = "np.typing.NDArray[np.int64]"
@@ -81,6 +82,26 @@ class Surface:
         owners = np.repeat(np.array(stations), k)
         side = cls(np.tile(owners, len(loops)), points, faces, body)
         return side._with_ends(k, count, outlines.edges)
+
+    @classmethod
+    def shell(cls, body: int, grid: Numbers, thickness: float) -> Surface:
+        """Return both faces of a shell over a grid of stations, and the border between them."""
+        inside, count = np.arange(grid.size).reshape(grid.shape), grid.size
+        faces = cells(inside)
+        border = np.concatenate([inside[0], inside[1:, -1], inside[-1, -2::-1], inside[-2::-1, 0]])
+        # The border has points of its own, which keeps its edges sharp.
+        top, bottom = 2 * count + np.arange(len(border)), 2 * count + len(border) + np.arange(len(border))
+        walls = np.stack([bottom[:-1], bottom[1:], top[1:], top[:-1]], axis=1)
+        owners = grid.ravel()
+        height = np.repeat([0.5, -0.5, 0.5, -0.5], [count, count, len(border), len(border)]) * thickness
+        offsets = np.zeros((len(height), 3))
+        offsets[:, 0] = height
+        return cls(
+            np.concatenate([owners, owners, owners[border], owners[border]]),
+            offsets,
+            [np.concatenate([faces, faces[:, ::-1] + count, walls])],
+            body,
+        )
 
     def _with_ends(self, k: int, count: int, edges: Numbers) -> Surface:
         """Return the surface with end faces, which have points of their own to keep their edges sharp."""

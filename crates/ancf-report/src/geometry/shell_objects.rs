@@ -1,0 +1,143 @@
+//! Supports on edges of shells, and loads on their edges and surfaces.
+
+use ancf::Model;
+use ancf::mechanics::functions::Function;
+use ancf::model::{Analysis, At, EdgeName, Joint, Load};
+use ancf::solver::equations::State;
+use nalgebra::{Matrix3, Vector3};
+
+use super::body_shape::{BodyShape, SurfaceGrid};
+use super::stations::Placement;
+
+/// Maximum number of arrows along a direction of a shell.
+pub(crate) const ARROWS: usize = 6;
+
+/// Joint along an edge of a shell.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct EdgeSupport {
+    /// Index of the joint.
+    pub joint: usize,
+    /// Stations along the edge.
+    pub stations: Vec<usize>,
+}
+
+/// Returns the joints along edges of shells.
+pub(crate) fn edge_supports(model: &Model, bodies: &[BodyShape]) -> Vec<EdgeSupport> {
+    let of = |(joint, data): (usize, &Joint)| {
+        let (place, _) = data.ends();
+        let At::Edge(place_on_edge) = place.at else { return None };
+        let shape = bodies.iter().find(|shape| shape.name == place.body)?;
+        let stations = edge_stations(&shape.grid?, place_on_edge.edge);
+        Some(EdgeSupport { joint, stations: stations.map(|k| shape.stations.start + k).collect() })
+    };
+    model.joints.iter().enumerate().filter_map(of).collect()
+}
+
+/// Stations of an edge, counted from the first station of the body.
+fn edge_stations(grid: &SurfaceGrid, edge: EdgeName) -> impl Iterator<Item = usize> + use<> {
+    let [n, m] = grid.counts;
+    let (count, first, step) = match edge {
+        EdgeName::UStart => (m, 0, n),
+        EdgeName::UEnd => (m, n - 1, n),
+        EdgeName::VStart => (n, 0, 1),
+        EdgeName::VEnd => (n, (m - 1) * n, 1),
+    };
+    (0..count).map(move |k| first + k * step)
+}
+
+/// Load on an edge or on the surface of a shell, drawn as arrows at some stations.
+#[derive(Clone, Debug)]
+pub(crate) struct ShellLoad {
+    /// Kind of the load.
+    pub noun: &'static str,
+    /// True for moments.
+    pub is_moment: bool,
+    /// Stations of the arrows.
+    pub stations: Vec<usize>,
+    direction: LoadDirection,
+    /// Factor of time; `None` in statics, where the load factor is the factor.
+    function: Option<Function>,
+}
+
+/// Direction of a load on a shell.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum LoadDirection {
+    /// Constant vector.
+    Fixed(Vector3<f64>),
+    /// Vector that rotates with the surface.
+    Follower(Vector3<f64>),
+    /// Multiple of the normal.
+    Normal(f64),
+}
+
+impl ShellLoad {
+    /// Vectors at the stations in a state at a time in the user's units, given its placement and the undeformed one.
+    pub fn vectors(&self, [placed, undeformed]: [&Placement; 2], s: &State, time: f64) -> Vec<Vector3<f64>> {
+        let factor = self.function.as_ref().map_or(s.load, |function| function.value(time));
+        let at = |&station: &usize| {
+            factor
+                * match self.direction {
+                    LoadDirection::Fixed(vector) => vector,
+                    LoadDirection::Normal(size) => placed.directors[station][0] * size,
+                    LoadDirection::Follower(vector) => {
+                        let [now, rest] =
+                            [placed, undeformed].map(|of| Matrix3::from_columns(&of.directors[station]));
+                        now * (rest.transpose() * vector)
+                    }
+                }
+        };
+        self.stations.iter().map(at).collect()
+    }
+}
+
+/// Returns the loads on shells of a model in the user's units. Mode shapes have none.
+pub(crate) fn shell_loads(model: &Model, bodies: &[BodyShape]) -> Vec<ShellLoad> {
+    let is_modal = matches!(model.analysis, Analysis::Modes(_) | Analysis::Buckling(_));
+    let loads = model.loads.iter().filter(|_| !is_modal);
+    loads.filter_map(|load| shell_load(model, bodies, load)).collect()
+}
+
+fn shell_load(model: &Model, bodies: &[BodyShape], load: &Load) -> Option<ShellLoad> {
+    let turned = |vector: &[f64; 3], follower: bool| {
+        let vector = Vector3::from(*vector);
+        if follower { LoadDirection::Follower(vector) } else { LoadDirection::Fixed(vector) }
+    };
+    let (body, edge, direction) = match load {
+        Load::EdgeForce(load) => (&load.body, Some(load.edge), turned(&load.force, false)),
+        Load::EdgeMoment(load) => (&load.body, Some(load.edge), turned(&load.moment, load.follower)),
+        Load::SurfaceForce(load) => (&load.body, None, turned(&load.force, false)),
+        Load::SurfacePressure(load) => (&load.body, None, LoadDirection::Normal(load.pressure)),
+        _ => return None,
+    };
+    let shape = bodies.iter().find(|shape| &shape.name == body)?;
+    let grid = shape.grid?;
+    let own: Vec<usize> = match edge {
+        Some(edge) => sparse(&edge_stations(&grid, edge).collect::<Vec<_>>(), true),
+        None => {
+            let [n, m] = grid.counts.map(|count| sparse(&(0..count).collect::<Vec<_>>(), false));
+            m.iter().flat_map(|j| n.iter().map(move |i| j * grid.counts[0] + i)).collect()
+        }
+    };
+    let is_static = !matches!(model.analysis, Analysis::Dynamics(_));
+    let function = load.time().filter(|_| !is_static).map(|time| time.compile().unwrap_or(Function::ONE));
+    Some(ShellLoad {
+        noun: load.kind().noun(),
+        is_moment: matches!(load, Load::EdgeMoment(_)),
+        stations: own.into_iter().map(|k| shape.stations.start + k).collect(),
+        direction,
+        function,
+    })
+}
+
+/// At most [`ARROWS`] evenly spaced items, with the ends or without them.
+fn sparse(all: &[usize], with_ends: bool) -> Vec<usize> {
+    let count = ARROWS.min(all.len());
+    let last = all.len() - 1;
+    let place = |k: usize| match with_ends {
+        true => k * last / (count - 1).max(1),
+        false => (2 * k + 1) * last / (2 * count),
+    };
+    let mut places: Vec<usize> = (0..count).map(place).collect();
+    places.dedup();
+    places.into_iter().map(|k| all[k]).collect()
+}

@@ -59,7 +59,7 @@ mod tests {
     fn frames_are_evenly_spaced_and_include_the_ends() {
         let mut frames = Frames::new(8);
         for row in 0..1000 {
-            frames.push(f64::from(row), &State::default());
+            frames.push(f64::from(row), &State::rest(0, 0));
         }
         let values: Vec<f64> = frames.all().iter().map(|frame| frame.value).collect();
         assert_eq!(values[0], 0.0);

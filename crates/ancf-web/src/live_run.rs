@@ -171,7 +171,8 @@ mod tests {
         let record = LiveRun { text, title: "a" }.run(&mut |_| ()).expect("a run");
         let mut csv = Csv::new(Vec::new());
         let model = Model::parse(text).expect("a model");
-        ancf::simulate(&model, &mut csv).expect("a run");
+        let summary = ancf::simulate(&model, &mut csv).expect("a run");
+        assert!(summary.outcome.is_finished());
         assert_eq!(record.csv.into_bytes(), csv.into_inner().expect("a text"));
         assert!(record.is_finished);
         let header = ancf_report::container::header(&record.scene).expect("a scene");

@@ -120,7 +120,7 @@ def _draw_cells(
 def _collection(ax: Canvas, view: View, segments: Array, keys: dict[str, Any]) -> Canvas:
     """Draw segments `[segment, end, axis]` as one artist."""
     from matplotlib.collections import LineCollection
-    from mpl_toolkits.mplot3d.art3d import Line3DCollection  # type: ignore[import-untyped]
+    from mpl_toolkits.mplot3d.art3d import Line3DCollection
 
     if view.spatial:
         return ax.add_collection3d(Line3DCollection(segments, **keys))

@@ -137,13 +137,13 @@ class Playground {
   private async run(): Promise<void> {
     this.solver.stop();
     const text = this.editor.text;
+    this.say("running …");
     try {
       if (!(await this.check())) {
         this.say("The model has errors.", "error");
         return;
       }
       this.setRunning(true);
-      this.say("running …");
       this.stage.open();
       const title = this.list.selectedOptions[0]?.text ?? "model";
       const outcome = await this.solver.run(text, title, { update: (scene) => void this.stage.show(scene) });

@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { close, DESKTOP, launch, open, PHONE, setTime, settle } from "./support/browser.mjs";
+import { assertFramed, close, DESKTOP, launch, open, pixels, setTime, settle } from "./support/browser.mjs";
 import { plate } from "./support/shell.mjs";
 
 let browser;
@@ -11,12 +11,6 @@ before(async () => {
 });
 after(() => close(browser));
 
-/** Colours at points in space. */
-const colours = (tab, points) =>
-  tab.evaluate(
-    (list) => list.map((point) => window.ancf.pixel(...(window.ancf.project(...point) ?? [-1, -1]))),
-    points,
-  );
 const sum = (colour) => colour.slice(0, 3).reduce((a, b) => a + b);
 
 test("the surface follows the motion, in both themes", async () => {
@@ -26,12 +20,12 @@ test("the surface follows the motion, in both themes", async () => {
     const flat = [0.25, 0.58, 0.92].map((x) => [x, 0.08, 0]);
     await setTime(tab, 0);
     await settle(tab);
-    assert.ok((await colours(tab, flat)).every((colour) => colour[3] > 200));
+    assert.ok((await pixels(tab, flat)).every((colour) => colour[3] > 200));
     await setTime(tab, 10);
     await settle(tab);
     const bent = flat.map(([x, y]) => [x, y, 0.5 * x * x]);
-    assert.ok((await colours(tab, bent)).every((colour) => colour[3] > 200));
-    assert.equal((await colours(tab, flat.slice(2)))[0][3] > 200, false, "the tip has left its place");
+    assert.ok((await pixels(tab, bent)).every((colour) => colour[3] > 200));
+    assert.equal((await pixels(tab, flat.slice(2)))[0][3] > 200, false, "the tip has left its place");
     assert.deepEqual(problems, []);
     await tab.close();
   }
@@ -41,7 +35,7 @@ test("colours are those of the field at the stations", async () => {
   const { tab } = await open(browser, plate(), { viewport: DESKTOP });
   await setTime(tab, 0);
   await settle(tab);
-  const [start, end] = await colours(tab, [
+  const [start, end] = await pixels(tab, [
     [0.08, 0.08, 0],
     [0.92, 0.08, 0],
   ]);
@@ -57,7 +51,7 @@ test("edges of elements are faint lines that a key hides", async () => {
     await settle(tab);
     // Across the edge between two elements, and within an element.
     const across = Array.from({ length: 9 }, (_, k) => [0.5 + 0.0008 * (k - 4), 0.08, 0.01]);
-    const [line, face] = [await colours(tab, across), await colours(tab, [[0.51, 0.08, 0.01]])];
+    const [line, face] = [await pixels(tab, across), await pixels(tab, [[0.51, 0.08, 0.01]])];
     return Math.min(...line.map(sum)) / sum(face[0]);
   };
   assert.ok((await darkest()) < 0.93, "line");
@@ -75,11 +69,11 @@ test("supported edges and loads are drawn, and hidden with the other symbols", a
     [-0.003, 0.3, 0.0133],
     [0.5, 0.25, 0.03],
   ];
-  const before = await colours(tab, places);
+  const before = await pixels(tab, places);
   assert.ok(before[0][0] > 1.5 * before[0][2], `orange edge: ${before[0]}`);
   await tab.keyboard.press("m");
   await settle(tab);
-  const after = await colours(tab, places);
+  const after = await pixels(tab, places);
   for (const k of [0, 1]) assert.notDeepEqual(before[k], after[k], `object ${k}`);
   await tab.close();
 });
@@ -100,17 +94,7 @@ test("the tooltip has the parameters of the station", async () => {
 });
 
 test("the camera frames the plate in all its positions", async () => {
-  for (const viewport of [DESKTOP, PHONE]) {
-    const { tab } = await open(browser, plate(), { viewport });
-    await settle(tab);
-    const { free, motion } = await tab.evaluate(() => window.ancf.framing());
-    const share = Math.max(
-      (motion.right - motion.left) / (free.right - free.left),
-      (motion.bottom - motion.top) / (free.bottom - free.top),
-    );
-    assert.ok(share > 0.7 && share < 1.01, `${viewport.width}: ${share}`);
-    await tab.close();
-  }
+  await assertFramed(browser, plate());
 });
 
 test("a grid without some of its stations is reported", async () => {

@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { close, DESKTOP, launch, open, PHONE, setTime, settle } from "./support/browser.mjs";
+import { assertFramed, close, DESKTOP, launch, open, pixels, setTime, settle } from "./support/browser.mjs";
 import { u32 } from "./support/container.mjs";
 import { bracket } from "./support/surface.mjs";
 
@@ -13,11 +13,7 @@ before(async () => {
 after(() => close(browser));
 
 /** True for each point that the body covers. */
-const covered = (tab, points) =>
-  tab.evaluate(
-    (list) => list.map((point) => window.ancf.pixel(...(window.ancf.project(...point) ?? [-1, -1]))[3] > 200),
-    points,
-  );
+const covered = async (tab, points) => (await pixels(tab, points)).map((pixel) => pixel[3] > 200);
 
 test("the surface turns with its body, in both themes", async () => {
   for (const theme of ["light", "dark"]) {
@@ -56,17 +52,7 @@ test("edges of the surface are dark lines, its faces are plain", async () => {
 });
 
 test("the camera frames the surface in all its positions", async () => {
-  for (const viewport of [DESKTOP, PHONE]) {
-    const { tab } = await open(browser, bracket(), { viewport });
-    await settle(tab);
-    const { free, motion } = await tab.evaluate(() => window.ancf.framing());
-    const share = Math.max(
-      (motion.right - motion.left) / (free.right - free.left),
-      (motion.bottom - motion.top) / (free.bottom - free.top),
-    );
-    assert.ok(share > 0.7 && share < 1.01, `${viewport.width}: ${share}`);
-    await tab.close();
-  }
+  await assertFramed(browser, bracket());
 });
 
 test("a surface without some of its points is reported", async () => {

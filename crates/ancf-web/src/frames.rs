@@ -23,22 +23,19 @@ impl Frames {
 
     /// Adds the state of the next row.
     pub(crate) fn push(&mut self, value: f64, state: &State) {
+        if self.rows.is_multiple_of(self.every) && self.frames.len() == self.limit {
+            // Every second frame remains.
+            let mut number = 0;
+            self.frames.retain(|_| {
+                number += 1;
+                number % 2 == 1
+            });
+            self.every *= 2;
+        }
         let frame = Snapshot { value, state: state.clone() };
         if self.rows.is_multiple_of(self.every) {
-            if self.frames.len() == self.limit {
-                let mut number = 0;
-                self.frames.retain(|_| {
-                    number += 1;
-                    number % 2 == 1
-                });
-                self.every *= 2;
-            }
-            if self.rows.is_multiple_of(self.every) {
-                self.frames.push(frame);
-                self.last = None;
-            } else {
-                self.last = Some(frame);
-            }
+            self.frames.push(frame);
+            self.last = None;
         } else {
             self.last = Some(frame);
         }

@@ -83,6 +83,28 @@ export async function screenshot(tab) {
   return Buffer.from(await canvas.screenshot({ type: "png" })).toString("base64");
 }
 
+/** Red, green, blue and opacity at points in space. */
+export const pixels = (tab, points) =>
+  tab.evaluate(
+    (list) => list.map((point) => window.ancf.pixel(...(window.ancf.project(...point) ?? [-1, -1]))),
+    points,
+  );
+
+/** Checks on both sizes that the motion fills the free area of the view and stays within it. */
+export async function assertFramed(browser, scene) {
+  for (const viewport of [DESKTOP, PHONE]) {
+    const { tab } = await open(browser, scene, { viewport });
+    await settle(tab);
+    const { free, motion } = await tab.evaluate(() => window.ancf.framing());
+    const share = Math.max(
+      (motion.right - motion.left) / (free.right - free.left),
+      (motion.bottom - motion.top) / (free.bottom - free.top),
+    );
+    assert.ok(share > 0.7 && share < 1.01, `${viewport.width}: ${share}`);
+    await tab.close();
+  }
+}
+
 export const assertNear = (found, expected, tolerance, name) =>
   assert.ok(Math.abs(found - expected) <= tolerance, `${name}: ${found}, expected ${expected}`);
 export const currentFrame = (tab) => tab.evaluate(() => window.ancf.frame);

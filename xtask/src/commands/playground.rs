@@ -20,15 +20,10 @@ pub(crate) fn build() -> Done {
     let [from, to] = [&module, &bindings].map(|path| path.display().to_string());
     let writer = ["run", "--package", "xtask", "--features", "bindings", "--example", "bindings", "--"];
     cargo("bindings", &[&writer[..], &[&from, &to]].concat(), &[])?;
-    let out = folder();
+    let out = root().join("target/playground");
     viewer::playground(&out, &bindings)?;
     say(&format!("the playground is in {}; serve the folder by any web server", out.display()));
     Ok(())
-}
-
-/// Folder of the page.
-pub(crate) fn folder() -> PathBuf {
-    root().join("target/playground")
 }
 
 /// Compiles the module and returns its path.

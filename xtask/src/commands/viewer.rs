@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::sync::OnceLock;
 
 use crate::system::debian;
 use crate::system::shell::{Done, cargo, root, run, say};
@@ -42,7 +43,13 @@ pub(crate) fn playground(out: &Path, bindings: &Path) -> Done {
     npm("playground", &["run", "--silent", "playground", "--", &out, &bindings])
 }
 
+/// Installs npm and the packages of the viewer, once in a run.
 fn installed() -> Done {
+    static DONE: OnceLock<Done> = OnceLock::new();
+    DONE.get_or_init(install).clone()
+}
+
+fn install() -> Done {
     if !debian::has("npm") && !debian::install("npm") {
         return Err("npm is missing; install Node 20 or later from https://nodejs.org".to_owned());
     }

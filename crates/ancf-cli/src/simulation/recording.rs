@@ -7,7 +7,6 @@ use std::time::Instant;
 
 use ancf::errors::short;
 use ancf::estimate::Resolution;
-use ancf::model::Body;
 use ancf::record::Sink;
 use ancf::solver::equations::State;
 use ancf::{Checkpoint, Model, Observer, Outcome, Summary};
@@ -68,7 +67,7 @@ pub fn record(
     print(&values.table());
     let (sentence, columns) = (values.sentence(&summary, seconds, &folder), values.columns());
     let is_motion = model.analysis.dynamics().is_some();
-    let has_shells = model.bodies.iter().any(|body| matches!(body, Body::Shell(_)));
+    let has_shells = model.has_shells();
     let model = recorder.name();
     print_json(&RunJson { folder, model, wall_seconds: seconds, summary: &summary, columns });
     Ok(match summary.outcome {

@@ -40,6 +40,12 @@ impl SurfaceStress {
         self.layers.map(|s| (s.x * s.x - s.x * s.y + s.y * s.y + 3.0 * s.z * s.z).sqrt())
     }
 
+    /// Returns the larger equivalent stress of both faces.
+    pub fn largest_von_mises(&self) -> f64 {
+        let [top, _, bottom] = self.von_mises();
+        top.max(bottom)
+    }
+
     /// Returns the principal stresses σ₁ ≥ σ₂ at the surfaces [`LAYERS`], and the angle from e₁ to the direction of σ₁ in radians.
     pub fn principal(&self) -> [[f64; 3]; 3] {
         self.layers.map(|s| {

@@ -105,7 +105,7 @@ impl<'a> ScalarFields<'a> {
             surfaces.map(|(name, symbol, dimension, diverging)| of(name, symbol, dimension, diverging)),
         );
         let has_velocities = model.analysis.dynamics().is_some();
-        let has_shells = has_shells(model);
+        let has_shells = model.has_shells();
         let sections = SectionStress::at_stations(model, geometry);
         let error_of = |body: usize| {
             let name = model.bodies.get(body).map(Body::name);
@@ -148,12 +148,13 @@ impl<'a> ScalarFields<'a> {
     fn push_surfaces(&mut self, geometry: &Geometry<'_>, s: &State) {
         let (sections, fields) = self.all.split_at_mut(SURFACE);
         let equivalent = &mut sections[EQUIVALENT].values;
+        let stress = self.scales.unit(Dimension::STRESS);
         let mut station = equivalent.len() - geometry.stations();
         geometry.fields.each_surface_stress(s, |found| {
-            let values = found.map(|found| surface_fields::values(&found, &self.scales));
-            if let Some([top, _, bottom, ..]) = values {
-                equivalent[station] = top.max(bottom) as f32;
+            if let Some(found) = &found {
+                equivalent[station] = (found.largest_von_mises() * stress) as f32;
             }
+            let values = found.map(|found| surface_fields::values(&found, &self.scales));
             station += 1;
             for (k, field) in fields.iter_mut().enumerate() {
                 field.values.push(values.map_or(f32::NAN, |values| values[k] as f32));
@@ -188,11 +189,7 @@ impl<'a> ScalarFields<'a> {
             return 2;
         }
         let has_rods = model.bodies.iter().any(|body| matches!(body, Body::Beam(_) | Body::Cable(_)));
-        let own = [(has_rods, MOTION), (has_shells(model), surface_fields::COUNT + 1)];
+        let own = [(has_rods, MOTION), (model.has_shells(), surface_fields::COUNT + 1)];
         3 + own.into_iter().filter(|(has, _)| *has).map(|(_, count)| count).sum::<usize>()
     }
-}
-
-fn has_shells(model: &Model) -> bool {
-    model.bodies.iter().any(|body| matches!(body, Body::Shell(_)))
 }

@@ -90,11 +90,9 @@ impl ShellLoad {
     }
 }
 
-/// Returns the loads on shells of a model in the user's units. Mode shapes have none.
+/// Returns the loads on shells of a model in the user's units.
 pub(crate) fn shell_loads(model: &Model, bodies: &[BodyShape]) -> Vec<ShellLoad> {
-    let is_modal = matches!(model.analysis, Analysis::Modes(_) | Analysis::Buckling(_));
-    let loads = model.loads.iter().filter(|_| !is_modal);
-    loads.filter_map(|load| shell_load(model, bodies, load)).collect()
+    model.loads.iter().filter_map(|load| shell_load(model, bodies, load)).collect()
 }
 
 fn shell_load(model: &Model, bodies: &[BodyShape], load: &Load) -> Option<ShellLoad> {

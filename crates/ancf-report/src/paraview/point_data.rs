@@ -137,8 +137,7 @@ impl PointData<'_> {
             });
             arrays.push(self.vectors(&format!("s1_direction_{layer}"), &directions.collect::<Vec<_>>()));
         }
-        let largest = |found: &SurfaceStress| found.von_mises()[0].max(found.von_mises()[2]);
-        arrays.push(of("von_mises".to_owned(), Dimension::STRESS, &largest));
+        arrays.push(of("von_mises".to_owned(), Dimension::STRESS, &SurfaceStress::largest_von_mises));
         arrays.push(of("energy_density".to_owned(), Dimension::FORCE_PER_LENGTH, &SurfaceStress::energy));
         arrays
     }

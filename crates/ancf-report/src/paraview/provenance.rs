@@ -1,4 +1,4 @@
-use ancf::model::{Body, Units};
+use ancf::model::Units;
 use ancf::units::Dimension;
 use serde_json::{Map, Value};
 use sha2::{Digest, Sha256};
@@ -58,8 +58,7 @@ fn units(recording: &Recording<'_>) -> String {
         let unit = if unit.is_empty() { "1".to_owned() } else { unit };
         (name, Value::String(unit))
     };
-    let has_shells = recording.model.bodies.iter().any(|body| matches!(body, Body::Shell(_)));
-    let of_shells = if has_shells { shell_dimensions() } else { Vec::new() };
+    let of_shells = if recording.model.has_shells() { shell_dimensions() } else { Vec::new() };
     let all = DIMENSIONS.iter().map(|(name, dimension)| ((*name).to_owned(), *dimension)).chain(of_shells);
     Value::Object(all.map(of).collect::<Map<_, _>>()).to_string()
 }

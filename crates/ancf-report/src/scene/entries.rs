@@ -127,7 +127,7 @@ pub(super) fn supports(layout: &SceneLayout<'_>, geometry: &Geometry<'_>) -> Val
     edge_supports(layout.recording.model, &geometry.bodies).into_iter().map(of).collect()
 }
 
-/// Arrows of the loads on shells.
+/// Arrows of the loads on shells. Mode shapes have none.
 pub(super) fn loads(
     layout: &SceneLayout<'_>,
     geometry: &Geometry<'_>,
@@ -141,7 +141,8 @@ pub(super) fn loads(
         let vectors = blob.f32(vectors.flat_map(finite));
         json!({ "kind": load.noun, "moment": load.is_moment, "stations": load.stations, "vectors": vectors })
     };
-    shell_loads(layout.recording.model, &geometry.bodies).into_iter().map(of).collect()
+    let loads = shell_loads(layout.recording.model, &geometry.bodies).into_iter();
+    loads.filter(|_| !layout.recording.is_modal()).map(of).collect()
 }
 
 pub(super) fn links(layout: &SceneLayout<'_>, frames: &DrawnFrames<'_>, blob: &mut Blob) -> Value {

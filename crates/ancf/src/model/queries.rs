@@ -21,6 +21,11 @@ impl Model {
             || self.sections.values().any(|section| matches!(section, Section::Custom(_)))
     }
 
+    /// True if a body is a shell.
+    pub fn has_shells(&self) -> bool {
+        self.bodies.iter().any(|body| matches!(body, Body::Shell(_)))
+    }
+
     /// Total mass of all bodies.
     pub fn mass(&self) -> f64 {
         let mass = |body: &Body| match body {

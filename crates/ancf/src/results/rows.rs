@@ -319,8 +319,7 @@ impl Rows {
                         self.extend(found.moment, Dimension::FORCE);
                     } else {
                         found.layers.iter().for_each(|layer| self.extend(*layer, Dimension::STRESS));
-                        let [top, _, bottom] = found.von_mises();
-                        self.push(top.max(bottom), Dimension::STRESS);
+                        self.push(found.largest_von_mises(), Dimension::STRESS);
                     }
                 }
                 Quantity::Strain | Quantity::Stress => {

@@ -13,6 +13,7 @@ pub mod fluid;
 pub mod forces;
 pub mod functions;
 pub mod kinematics;
+pub mod laws;
 pub mod rods;
 pub mod sections;
 pub mod shells;

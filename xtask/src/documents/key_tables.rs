@@ -18,23 +18,26 @@ const START: &str = "<!-- keys: ";
 const END: &str = "<!-- end -->";
 
 /// Descriptions of definitions: definition, text of the link, page in `docs/model-file` with its section.
-const LINKS: [(&str, &str, &str); 27] = [
+const LINKS: [(&str, &str, &str); 30] = [
     ("ContactSurface", "obstacle", "contacts.md#obstacles"),
     ("Analysis", "analysis", "analysis.md"),
     ("AngularDrive", "drive", "drives.md"),
     ("AngularFriction", "friction", "drives.md"),
     ("AngularSpring", "spring", "drives.md"),
+    ("AngularStops", "stops", "drives.md#stops"),
     ("Body", "body", "bodies.md"),
     ("Contact", "contact", "contacts.md"),
     ("Coupling", "coupling", "drives.md#couplings"),
     ("DisplayShape", "display shape", "bodies.md#display-shapes"),
     ("Formulation", "formulation", "bodies.md#formulations"),
     ("Initial", "initial state", "initial.md"),
+    ("JointLaw", "force law", "drives.md#force-laws"),
     ("InitialMotion", "initial motion", "bodies.md#initial-motion"),
     ("Joint", "joint", "joints.md"),
     ("LinearDrive", "drive", "drives.md"),
     ("LinearFriction", "friction", "drives.md"),
     ("LinearSpring", "spring", "drives.md"),
+    ("LinearStops", "stops", "drives.md#stops"),
     ("Load", "load", "loads.md"),
     ("Material", "material", "materials.md#materialsname"),
     ("Output", "output", "output.md#output"),

@@ -42,18 +42,21 @@ pub(super) fn form_module(definition: &str, word: &str) -> Option<&'static str> 
     FORM_MODULES.iter().find(|(of, form, _)| *of == definition && *form == word).map(|(.., module)| *module)
 }
 
-const DRIVES: [&str; 7] = [
+const DRIVES: [&str; 10] = [
     "AngularDrive",
     "AngularSpring",
     "AngularFriction",
     "LinearDrive",
     "LinearSpring",
     "LinearFriction",
+    "AngularStops",
+    "LinearStops",
+    "JointLaw",
     "Coupling",
 ];
 
 /// Names of classes that differ from the word of their form: definition, word or first required key, name.
-const CLASSES: [(&str, &str, &str); 32] = [
+const CLASSES: [(&str, &str, &str); 34] = [
     ("Analysis", "path", "EquilibriumPath"),
     ("Body", "mass", "PointMass"),
     ("Body", "rigid", "RigidBody"),
@@ -64,6 +67,8 @@ const CLASSES: [(&str, &str, &str); 32] = [
     ("DisplayShape", "sphere", "DisplaySphere"),
     ("Joint", "drive", "PrescribedMotion"),
     ("Joint", "slide", "SlidingJoint"),
+    ("JointLaw", "expression", "ForceExpression"),
+    ("JointLaw", "external", "ExternalForceLaw"),
     ("Load", "external", "ExternalForce"),
     ("Load", "fluid", "FluidLoad"),
     ("ScaleChoice", "auto", "AutoScales"),
@@ -137,6 +142,7 @@ pub(super) fn instead(definition: &str, key: &str) -> Option<(&'static str, &'st
     match (definition, key) {
         ("Body", "section" | "section_end") => Some(("Section", "Or the section itself.")),
         ("Body", "material") => Some(("Material", "Or the material itself.")),
+        ("JointLaw", "name") => Some(("LawFunction", "Or the function itself, f(t, x, v).")),
         ("Load", "name") => Some(("ForceFunction", "Or the function itself, F(t, x, v).")),
         _ => None,
     }
@@ -172,7 +178,7 @@ pub(super) fn imported_from(name: &str) -> &'static str {
 pub(super) fn positional(class: &str) -> &'static [&'static str] {
     match class {
         "Place" => &["body", "at"],
-        "Expression" => &["text"],
+        "Expression" | "ForceExpression" => &["text"],
         _ => &["name"],
     }
 }

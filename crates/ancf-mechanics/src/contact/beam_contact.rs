@@ -4,10 +4,10 @@ use ancf_solver::equations::{
 use nalgebra::Vector3;
 
 use super::axis_curve::{AxisCurve, AxisHull};
-use super::contact_law::ContactLaw;
 use super::crossing::SMALLEST_DISTANCE;
 use super::point_contact::{Foot, PointContact, vector};
 use crate::kinematics::{ElementAxis, Marker};
+use crate::laws::ContactLaw;
 
 /// Contact between points of a beam axis and the axis of an element of another beam or the same beam.
 ///

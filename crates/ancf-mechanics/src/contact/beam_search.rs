@@ -6,11 +6,11 @@ use nalgebra::Vector3;
 use super::axis_curve::{AxisCurve, AxisHull};
 use super::beam_contact::{BeamContact, ContactElement};
 use super::box_tree::{AlignedBox, BoxTree};
-use super::contact_law::ContactLaw;
 use super::contact_tube::ContactTube;
 use super::crossing::{SMALLEST_DISTANCE, SPACING};
 use super::end_planes::EndPlanes;
 use crate::kinematics::ElementAxis;
+use crate::laws::ContactLaw;
 
 /// Contact search between bodies, including self-contact. A pair is a point and an element, a group is two elements.
 ///

@@ -4,7 +4,6 @@ mod axis_curve;
 mod beam_contact;
 mod beam_search;
 mod box_tree;
-mod contact_law;
 mod contact_tube;
 mod crossing;
 mod end_planes;
@@ -13,9 +12,9 @@ mod obstacle_contact;
 mod obstacle_search;
 mod point_contact;
 
+pub use crate::laws::ContactLaw;
 pub use beam_contact::BeamContact;
 pub use beam_search::BeamContacts;
-pub use contact_law::ContactLaw;
 pub use contact_tube::ContactTube;
 pub use obstacle::{Obstacle, ObstacleShape};
 pub use obstacle_contact::ObstacleContact;

@@ -2,9 +2,9 @@ use ancf_solver::equations::{Energy, LOCAL, Local, LocalMatrix, LocalStep, Term,
 use nalgebra::{SMatrix, SVector, Vector3};
 use num_dual::DualSVec64;
 
-use super::contact_law::ContactLaw;
 use super::obstacle::{Obstacle, ObstacleShape, combine, components};
 use crate::kinematics::{Marker, Real, add_symmetric};
+use crate::laws::ContactLaw;
 
 /// Contact between points of a beam axis and an [`Obstacle`], for the length of beam that each point represents.
 ///

@@ -4,12 +4,12 @@ use std::sync::Arc;
 use ancf_solver::equations::{ContactGroup, ContactPair, ContactSearch, State, Term};
 use nalgebra::Vector3;
 
-use super::contact_law::ContactLaw;
 use super::contact_tube::ContactTube;
 use super::crossing::{obstacle_crossing, obstacle_passing};
 use super::obstacle::Obstacle;
 use super::obstacle_contact::ObstacleContact;
 use crate::kinematics::Marker;
+use crate::laws::ContactLaw;
 
 /// Contact search between bodies and one obstacle. A pair is a point and 0, a group is a part of the points of an element and 0.
 #[derive(Debug)]

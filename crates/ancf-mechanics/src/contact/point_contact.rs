@@ -2,8 +2,8 @@ use ancf_solver::equations::LocalMatrix;
 use nalgebra::{Matrix3, Vector3};
 
 use super::axis_curve::AxisCurve;
-use super::contact_law::ContactLaw;
 use crate::kinematics::ElementAxis;
+use crate::laws::ContactLaw;
 
 /// Foot of a point on the axis of an element: its closest point r(s), with d = p − r(s).
 #[derive(Clone, Copy, Debug)]

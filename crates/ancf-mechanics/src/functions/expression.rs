@@ -27,17 +27,17 @@ impl Expression {
     /// # Ok::<(), ancf_mechanics::functions::ExpressionError>(())
     /// ```
     pub fn parse(text: &str) -> Result<Self, ExpressionError> {
-        Ok(Self { root: parse(text)? })
+        Ok(Self { root: parse(text, &["t"])? })
     }
 
     /// Returns the value with its first and second derivative.
     pub fn at(&self, t: f64) -> FunctionValue {
-        let Jet { re, v1, v2 } = self.root.at(Jet::new(t, 1.0, 0.0));
+        let Jet { re, v1, v2 } = self.root.at(&|_| Jet::new(t, 1.0, 0.0));
         FunctionValue { value: re, rate: v1, acceleration: v2 }
     }
 
     /// Bounds value and derivatives over the interval of t.
     pub(crate) fn bounds(&self, t: FunctionBounds) -> FunctionBounds {
-        self.root.at(t)
+        self.root.at(&|_| t)
     }
 }

@@ -2,7 +2,7 @@ use thiserror::Error;
 use winnow::ascii::{digit0, digit1, multispace0};
 use winnow::combinator::{Infix, Prefix, alt, expression, opt, preceded, separated};
 use winnow::error::{ContextError, ErrMode, StrContext, StrContextValue};
-use winnow::stream::Stream as _;
+use winnow::stream::{Stateful, Stream as _};
 use winnow::token::{one_of, take_while};
 use winnow::{ModalResult, Parser};
 
@@ -13,8 +13,9 @@ const LENGTH: usize = 1000;
 /// Maximum depth of nested brackets.
 const DEPTH: usize = 40;
 
-const OPERAND: &str = "a number, `t`, `pi`, a function or a bracket";
-const NAME: &str = "`t`, `pi` or a function: sin, cos, tan, asin, acos, atan, sinh, cosh, tanh, exp, ln, \
+/// Expected inputs; the names of the variables are inserted for `{}`.
+const OPERAND: &str = "a number, {}, `pi`, a function or a bracket";
+const NAME: &str = "{}, `pi` or a function: sin, cos, tan, asin, acos, atan, sinh, cosh, tanh, exp, ln, \
                     sqrt, abs, sign, min, max or if";
 const ARGUMENTS: &str = "one argument, two of `min` and `max`, three of `if`";
 const OPERATOR: &str = "an operator or the end; powers of powers in brackets";
@@ -30,9 +31,11 @@ pub struct ExpressionError {
 }
 
 type ParseFailure = ErrMode<ContextError>;
+/// Rest of a formula, with the names of its variables.
+type Rest<'i> = Stateful<&'i str, &'i [&'i str]>;
 
-/// Parses a whole formula.
-pub(crate) fn parse(text: &str) -> Result<SyntaxNode, ExpressionError> {
+/// Parses a whole formula with the given variables.
+pub(crate) fn parse(text: &str, variables: &[&str]) -> Result<SyntaxNode, ExpressionError> {
     let error = |at, expected: &str| Err(ExpressionError { at, expected: expected.into() });
     if text.chars().count() > LENGTH {
         return error(LENGTH, "at most 1000 characters");
@@ -44,18 +47,19 @@ pub(crate) fn parse(text: &str) -> Result<SyntaxNode, ExpressionError> {
             return error(at, "at most 40 nested brackets");
         }
     }
-    let whole = |i: &mut &str| {
+    let whole = |i: &mut Rest<'_>| {
         let node = sum(i)?;
         multispace0.parse_next(i)?;
-        if i.is_empty() { Ok(node) } else { expected(OPERATOR) }
+        if i.input.is_empty() { Ok(node) } else { expected(OPERATOR) }
     };
-    { whole }.parse(text).map_err(|failure| {
+    { whole }.parse(Rest { input: text, state: variables }).map_err(|failure| {
         let said = failure.inner().context().find_map(|context| match context {
             StrContext::Expected(StrContextValue::Description(expected)) => Some(*expected),
             _ => None,
         });
         let at = text[..failure.char_span().start.min(text.len())].chars().count();
-        ExpressionError { at, expected: said.unwrap_or(OPERAND).into() }
+        let names: Vec<String> = variables.iter().map(|name| format!("`{name}`")).collect();
+        ExpressionError { at, expected: said.unwrap_or(OPERAND).replace("{}", &names.join(", ")) }
     })
 }
 
@@ -67,21 +71,21 @@ fn expected<T>(what: &'static str) -> ModalResult<T> {
 }
 
 /// Parsers of operands and operators.
-fn sum(i: &mut &str) -> ModalResult<SyntaxNode> {
+fn sum(i: &mut Rest<'_>) -> ModalResult<SyntaxNode> {
     expression(operand).prefix(sign).infix(operator).parse_next(i)
 }
 
-fn sign<'i>(i: &mut &'i str) -> ModalResult<Prefix<&'i str, SyntaxNode, ParseFailure>> {
+fn sign<'i>(i: &mut Rest<'i>) -> ModalResult<Prefix<Rest<'i>, SyntaxNode, ParseFailure>> {
     multispace0.parse_next(i)?;
     match opt(one_of(['+', '-'])).parse_next(i)? {
-        Some(_) if i.trim_start().starts_with(['+', '-']) => expected(OPERAND),
+        Some(_) if i.input.trim_start().starts_with(['+', '-']) => expected(OPERAND),
         Some('-') => Ok(Prefix(30, |_, x| Ok(SyntaxNode::One(Unary::Negative, Box::new(x))))),
         Some(_) => Ok(Prefix(30, |_, x| Ok(x))),
         None => expected(OPERAND),
     }
 }
 
-fn operator<'i>(i: &mut &'i str) -> ModalResult<Infix<&'i str, SyntaxNode, ParseFailure>> {
+fn operator<'i>(i: &mut Rest<'i>) -> ModalResult<Infix<Rest<'i>, SyntaxNode, ParseFailure>> {
     let sign = one_of(['+', '-', '*', '/', '^', '<', '>']).take();
     let operator = preceded(multispace0, alt(("<=", ">=", sign))).parse_next(i)?;
     Ok(match operator {
@@ -97,9 +101,9 @@ fn operator<'i>(i: &mut &'i str) -> ModalResult<Infix<&'i str, SyntaxNode, Parse
     })
 }
 
-fn operand(i: &mut &str) -> ModalResult<SyntaxNode> {
+fn operand(i: &mut Rest<'_>) -> ModalResult<SyntaxNode> {
     multispace0.parse_next(i)?;
-    match i.chars().next() {
+    match i.input.chars().next() {
         Some('0'..='9' | '.') => number(i),
         Some('a'..='z' | 'A'..='Z' | '_') => name(i),
         Some('(') => {
@@ -113,7 +117,7 @@ fn operand(i: &mut &str) -> ModalResult<SyntaxNode> {
     }
 }
 
-fn number(i: &mut &str) -> ModalResult<SyntaxNode> {
+fn number(i: &mut Rest<'_>) -> ModalResult<SyntaxNode> {
     let exponent = (one_of(['e', 'E']), opt(one_of(['+', '-'])), digit1);
     let digits = (digit0, opt(('.', digit0)), opt(exponent)).take();
     let number = digits.verify_map(|text: &str| text.parse().ok().filter(|x: &f64| x.is_finite()));
@@ -123,13 +127,14 @@ fn number(i: &mut &str) -> ModalResult<SyntaxNode> {
     }
 }
 
-fn name(i: &mut &str) -> ModalResult<SyntaxNode> {
+fn name(i: &mut Rest<'_>) -> ModalResult<SyntaxNode> {
     let start = i.checkpoint();
     let name = take_while(1.., |c: char| c.is_ascii_alphanumeric() || c == '_').parse_next(i)?;
-    match name {
-        "t" => return Ok(SyntaxNode::Time),
-        "pi" => return Ok(SyntaxNode::Number(std::f64::consts::PI)),
-        _ => {}
+    if let Some(number) = i.state.iter().position(|own| *own == name) {
+        return Ok(SyntaxNode::Variable(number));
+    }
+    if name == "pi" {
+        return Ok(SyntaxNode::Number(std::f64::consts::PI));
     }
     let call = opt((multispace0, '(')).parse_next(i)?;
     let known = FUNCTIONS.contains(&name);
@@ -148,12 +153,18 @@ fn name(i: &mut &str) -> ModalResult<SyntaxNode> {
     }
 }
 
+/// Names of the functions of formulas.
 const FUNCTIONS: [&str; 17] = [
     "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "exp", "ln", "sqrt", "abs", "sign",
     "min", "max", "if",
 ];
 
-fn close(i: &mut &str, what: &'static str) -> ModalResult<()> {
+/// True if a name has a meaning in all formulas: a function or `pi`.
+pub(crate) fn is_reserved(name: &str) -> bool {
+    name == "pi" || FUNCTIONS.contains(&name)
+}
+
+fn close(i: &mut Rest<'_>, what: &'static str) -> ModalResult<()> {
     multispace0.parse_next(i)?;
     match opt(')').parse_next(i)? {
         Some(_) => Ok(()),

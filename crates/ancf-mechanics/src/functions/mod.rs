@@ -18,6 +18,8 @@ pub use external_function::{ExternalFunction, ForceFunction};
 pub use function::{Function, Integral};
 pub use function_value::FunctionValue;
 pub use grammar::ExpressionError;
+pub(crate) use grammar::{is_reserved, parse};
 pub use input_signal::{InputSignal, InputTransition};
+pub(crate) use syntax_node::{Jet, Operand, SyntaxNode};
 pub use time_table::TimeTable;
 pub use variation::Variation;

@@ -58,7 +58,8 @@ pub(crate) trait Operand: Copy {
 #[derive(Clone, Debug)]
 pub(crate) enum SyntaxNode {
     Number(f64),
-    Time,
+    /// Variable by its number in the list of names with which the formula was parsed.
+    Variable(usize),
     One(Unary, Box<Self>),
     Two(Binary, Box<[Self; 2]>),
     /// Conditional: the second expression if the first is nonzero, else the third.
@@ -66,19 +67,31 @@ pub(crate) enum SyntaxNode {
 }
 
 impl SyntaxNode {
-    pub(crate) fn at<T: Operand>(&self, t: T) -> T {
+    /// Evaluates the formula for the values of its variables.
+    pub(crate) fn at<T: Operand>(&self, variables: &impl Fn(usize) -> T) -> T {
         match self {
             Self::Number(x) => T::number(*x),
-            Self::Time => t,
-            Self::One(f, x) => x.at(t).one(*f),
+            Self::Variable(number) => variables(*number),
+            Self::One(f, x) => x.at(variables).one(*f),
             Self::Two(f, operands) => {
                 let [x, y] = operands.as_ref();
-                x.at(t).two(*f, y.at(t))
+                x.at(variables).two(*f, y.at(variables))
             }
             Self::If(parts) => {
                 let [condition, then, other] = parts.as_ref();
-                condition.at(t).choose(|| then.at(t), || other.at(t))
+                condition.at(variables).choose(|| then.at(variables), || other.at(variables))
             }
+        }
+    }
+
+    /// True if the formula contains a variable.
+    pub(crate) fn contains(&self, variable: usize) -> bool {
+        match self {
+            Self::Number(_) => false,
+            Self::Variable(number) => *number == variable,
+            Self::One(_, x) => x.contains(variable),
+            Self::Two(_, parts) => parts.iter().any(|part| part.contains(variable)),
+            Self::If(parts) => parts.iter().any(|part| part.contains(variable)),
         }
     }
 

@@ -82,6 +82,8 @@ impl PaperCase {
                 drive: None,
                 spring: None,
                 friction: None,
+                moment: None,
+                stops: None,
             }),
             Self::Spherical => Joint::Spherical(Spherical { name, a, b }),
         };

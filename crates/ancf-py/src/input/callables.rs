@@ -2,7 +2,9 @@
 
 use ancf::Model;
 use ancf::mechanics::functions::{ExternalFunction, ForceFunction, FunctionValue};
-use ancf::model::{Load, ModelErrors, Step, TimeFunction, Varying};
+use ancf::mechanics::laws::{LawState, LawValue, UserForceLaw};
+use ancf::model::{Joint, JointLaw, LawKind, Load, ModelErrors, Step, TimeFunction, Varying};
+use ancf::units::Scales;
 use numpy::PyArray1;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -27,7 +29,7 @@ struct Callable {
 pub(crate) enum CallableRole {
     /// Function of time f(t).
     Time,
-    /// Force F(t, x, v).
+    /// Force F(t, x, v), or force law f(t, x, v) of a joint.
     Force,
 }
 
@@ -79,6 +81,15 @@ impl Callables {
             if role == CallableRole::Force && model.loads.iter().any(|load| is_force(load, &name)) {
                 let force = ForceCallable { name: name.clone(), function, signals };
                 model.supply_force(&name, ForceFunction::new(move |t, x, v| force.at(t, x, v)));
+            } else if role == CallableRole::Force
+                && let Some((autonomous, kind, units)) =
+                    model.joints.iter().find_map(|joint| is_law(joint, &name))
+            {
+                let length = if kind == LawKind::Moment { 1.0 } else { model.length() * units.length };
+                let scales = [length, LAW_SPEED * length / (step * units.time)];
+                let law = LawCallable { name: name.clone(), function, signals, scales };
+                let law = UserForceLaw::with_derivatives(move |state| law.at(state), autonomous);
+                model.supply_law(&name, law);
             } else {
                 let step = (!model.loads.iter().any(|load| takes_value(load, &name)))
                     .then_some(step * DIFFERENCE_STEP);
@@ -96,6 +107,16 @@ fn is_external(kind: &Value) -> bool {
 /// True if a load is the external force with a name.
 fn is_force(load: &Load, name: &str) -> bool {
     matches!(load, Load::External(external) if external.name == name)
+}
+
+/// The key `autonomous`, the kind and the units of the external force law with a name, if a joint has one.
+fn is_law(joint: &Joint, name: &str) -> Option<(bool, LawKind, Scales)> {
+    joint.kind().laws().into_iter().find_map(|one| match one.law {
+        JointLaw::External { name: own, autonomous, units, .. } if own == name => {
+            Some((*autonomous, one.kind, *units))
+        }
+        _ => None,
+    })
 }
 
 /// True if a load uses the value of the function with a name, but not its rates.
@@ -187,6 +208,50 @@ impl ForceCallable {
             self.signals.raise(error);
             [f64::NAN; 3]
         })
+    }
+}
+
+/// Callable of time, coordinate and rate.
+struct LawCallable {
+    name: String,
+    function: Py<PyAny>,
+    signals: Signals,
+    /// Smallest reference values of x and v for difference steps.
+    scales: [f64; 2],
+}
+
+/// Relative step of central differences of a force law, the cube root of the rounding error.
+const LAW_STEP: f64 = 6.055e-6;
+/// Smallest reference rate, in reference values of x per time step.
+const LAW_SPEED: f64 = 1e-3;
+
+impl LawCallable {
+    fn at(&self, state: LawState) -> LawValue {
+        Python::attach(|py| self.evaluate(py, state)).unwrap_or_else(|error| {
+            self.signals.raise(error);
+            LawValue { force: f64::NAN, by_position: f64::NAN, by_rate: f64::NAN }
+        })
+    }
+
+    /// Calls the function once if it returns the derivatives, else five times.
+    fn evaluate(&self, py: Python<'_>, LawState { t, x, v }: LawState) -> PyResult<LawValue> {
+        let answer = self.function.call1(py, (t, x, v))?.into_bound(py);
+        let three = answer.extract::<[f64; 3]>().ok().filter(are_finite);
+        if let Some([force, by_position, by_rate]) = three {
+            return Ok(LawValue { force, by_position, by_rate });
+        }
+        let force = self.number(t, &answer)?;
+        let of = |x: f64, v: f64| self.number(t, &self.function.call1(py, (t, x, v))?.into_bound(py));
+        let [dx, dv] = [(x, 0), (v, 1)].map(|(size, k)| LAW_STEP * size.abs().max(self.scales[k]));
+        let by_position = (of(x + dx, v)? - of(x - dx, v)?) / ((x + dx) - (x - dx));
+        let by_rate = (of(x, v + dv)? - of(x, v - dv)?) / ((v + dv) - (v - dv));
+        Ok(LawValue { force, by_position, by_rate })
+    }
+
+    fn number(&self, t: f64, answer: &Bound<'_, PyAny>) -> PyResult<f64> {
+        let number = answer.extract::<f64>().ok().filter(|number| number.is_finite());
+        let expected = "a number, or force, derivative by x and derivative by v";
+        number.ok_or_else(|| invalid_answer(&self.name, t, answer, expected))
     }
 }
 

@@ -19,7 +19,7 @@ impl Default for EnergyGuard {
 
 /// Energy that the integration itself makes or loses: the change of the energies less work plus dissipation.
 ///
-/// The reference is the exchanged energy: the largest sum of kinetic and strain energy, plus the magnitudes of the work
+/// The reference is the exchanged energy: the largest sum of kinetic energy and magnitude of the strain energy, plus the magnitudes of the work
 /// and of the dissipation of all steps. Energy that the integration makes is not included.
 ///
 /// At a start from rest the exchanged energy is that of a few steps, and its relative error does not decrease with the
@@ -62,7 +62,7 @@ impl EnergyGuard {
 
 impl EnergyRecord {
     pub(crate) fn new(start: Energy) -> Self {
-        let largest = start.kinetic + start.strain;
+        let largest = start.kinetic + start.strain.abs();
         Self { largest, magnitude: start.largest(), delayed: largest, ..Self::default() }
     }
 
@@ -98,7 +98,7 @@ impl EnergyRecord {
             made,
             least: self.least.min(made),
             most: self.most.max(made),
-            largest: self.largest.max(now.kinetic + now.strain),
+            largest: self.largest.max(now.kinetic + now.strain.abs()),
             magnitude: self.magnitude.max(now.largest()),
             exchanged: self.exchanged + exchange.work.abs() + exchange.dissipation.abs(),
             ..self

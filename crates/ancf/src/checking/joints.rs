@@ -68,6 +68,30 @@ pub(crate) fn drives(model: &IndexedModel<'_>) -> Vec<Finding> {
     findings
 }
 
+/// Checks that stops enclose the undeformed state.
+pub(crate) fn stops(model: &IndexedModel<'_>) -> Vec<Finding> {
+    let mut findings = Vec::new();
+    for (path, joint) in joints_of(model) {
+        let actions = [joint.kind().angle_actions(), joint.kind().displacement_actions()];
+        for stops in actions.into_iter().filter_map(|actions| actions.stops) {
+            let [lower, upper] = stops.at;
+            if stops.at == [None; 2] {
+                let expected = "at least one of `lower` and `upper`";
+                findings.push(finding(format!("{path}.stops"), "neither `lower` nor `upper`", expected));
+            }
+            for (key, value, beyond, side) in [
+                ("lower", lower, lower > Some(0.0), "at most 0"),
+                ("upper", upper, upper.is_some_and(|upper| upper < 0.0), "at least 0"),
+            ] {
+                let expected = format!("{side}, the value in the undeformed state");
+                let error = || finding(format!("{path}.stops.{key}"), number(value.unwrap_or(0.0)), expected);
+                findings.extend(beyond.then(error));
+            }
+        }
+    }
+    findings
+}
+
 fn rule_of_drive(
     model: &IndexedModel<'_>,
     path: &str,

@@ -37,6 +37,7 @@ pub(crate) fn broken_rules(model: &Model) -> Vec<Finding> {
         super::time_functions::functions,
         super::time_functions::ground_points,
         super::time_functions::inputs,
+        super::time_functions::laws,
         capabilities,
     ];
     let of_loads = [
@@ -53,6 +54,7 @@ pub(crate) fn broken_rules(model: &Model) -> Vec<Finding> {
         super::joints::axes,
         super::joints::spans,
         super::joints::drives,
+        super::joints::stops,
         super::joints::kinds,
         super::joints::couplings,
     ];

@@ -1,11 +1,15 @@
-//! Checks of functions of time, of inputs, and of ground points.
+//! Checks of functions of time, force laws, inputs and ground points.
 
+use std::collections::BTreeSet;
+
+use ancf_mechanics::functions::{ExpressionError, InputSignal};
+use ancf_mechanics::laws::{ForceLaw as _, LawState, is_law_name};
 use nalgebra::Vector3;
 
 use super::findings::{COINCIDENT, body, rule_of_names, unknown};
 use crate::errors::{Finding, finding, number, quoted};
 use crate::joints::{End, Joint};
-use crate::model::{IndexedModel, Input, TimeFunction, Varying, joints_of};
+use crate::model::{IndexedModel, Input, JointLaw, LawUse, Model, TimeFunction, Varying, joints_of};
 
 /// Checks that functions of time are defined: tables in ascending order, intervals not empty, valid formulas.
 pub(crate) fn functions(model: &IndexedModel<'_>) -> Vec<Finding> {
@@ -45,21 +49,77 @@ fn rule_of_function(path: &str, time: &TimeFunction) -> Option<Finding> {
 
 fn rule_of_formula(path: String, text: &str, time: &TimeFunction) -> Option<Finding> {
     match time.compile() {
-        Err(error) => {
-            let rest: String = text.chars().skip(error.at).collect();
-            let found = match rest.as_str() {
-                "" => "its end".to_owned(),
-                rest => quoted(rest),
-            };
-            let found = format!("{found} at character {}", error.at + 1);
-            Some(finding(path, found, error.expected))
-        }
+        Err(error) => Some(syntax(path, text, error)),
         Ok(function) => {
             let value = function.value(0.0);
             let found = || format!("a formula that is {value} at t = 0");
             (!value.is_finite()).then(|| finding(path, found(), "one that is a number"))
         }
     }
+}
+
+/// Finding for a syntax error of a formula.
+fn syntax(path: String, text: &str, error: ExpressionError) -> Finding {
+    let rest: String = text.chars().skip(error.at).collect();
+    let found = match rest.as_str() {
+        "" => "its end".to_owned(),
+        rest => quoted(rest),
+    };
+    let found = format!("{found} at character {}", error.at + 1);
+    finding(path, found, error.expected)
+}
+
+/// Checks that formulas of force laws are valid, defined in the undeformed state, and free of t in analyses without time.
+pub(crate) fn laws(model: &IndexedModel<'_>) -> Vec<Finding> {
+    let signals = constant_inputs(model);
+    let of_formulas = model.laws().filter_map(|(path, one)| rule_of_law(model, &path, &one, &signals));
+    of_formulas.chain((0..model.inputs.len()).filter_map(|number| rule_of_input(model, number))).collect()
+}
+
+/// Inputs with their declared values.
+fn constant_inputs(model: &Model) -> Vec<(String, InputSignal)> {
+    model.inputs.iter().map(|input| (input.name.clone(), InputSignal::new(input.value))).collect()
+}
+
+/// Names of the inputs that formulas of force laws contain.
+fn inputs_of_laws(model: &Model) -> BTreeSet<String> {
+    let signals = constant_inputs(model);
+    let laws = model.laws().filter_map(|(_, one)| one.law.expression(one.kind, 1.0, &signals).ok()?);
+    let laws: Vec<_> = laws.collect();
+    let used = |number: &usize| laws.iter().any(|law| law.contains_input(*number));
+    (0..signals.len()).filter(used).map(|number| signals[number].0.clone()).collect()
+}
+
+fn rule_of_law(
+    model: &IndexedModel<'_>,
+    path: &str,
+    one: &LawUse<'_>,
+    signals: &[(String, InputSignal)],
+) -> Option<Finding> {
+    let JointLaw::Expression { text, .. } = one.law else { return None };
+    let key = format!("{path}.text");
+    let law = match one.law.expression(one.kind, 1.0, signals) {
+        Ok(law) => law?,
+        Err(error) => return Some(syntax(key, text, error).rests_on(["inputs".to_owned()])),
+    };
+    if law.contains_time() && model.analysis.dynamics().is_none() {
+        let expected = "a formula without `t`, since the analysis has no time; an input is a parameter";
+        return Some(finding(key, "`t` in a formula", expected).rests_on(["analysis".to_owned()]));
+    }
+    let value = law.at(LawState { t: 0.0, x: 0.0, v: 0.0 }).force;
+    let found = format!("a formula that is {value} at x = 0, v = 0, t = 0");
+    (!value.is_finite()).then(|| finding(key, found, "one that is a number"))
+}
+
+/// Finding if the name of an input has another meaning in a formula of a force law.
+fn rule_of_input(model: &IndexedModel<'_>, number: usize) -> Option<Finding> {
+    let name = &model.inputs[number].name;
+    let clashes = |one: LawUse<'_>| {
+        matches!(one.law, JointLaw::Expression { .. }) && is_law_name(name, &one.kind.variables())
+    };
+    let expected = "another name: in formulas of force laws it is a variable or a function";
+    let error = finding(format!("inputs[{number}].name"), quoted(name), expected);
+    model.laws().any(|(_, one)| clashes(one)).then(|| error.rests_on(["joints".to_owned()]))
 }
 
 /// Checks that inputs have unique names, that functions of time refer to inputs, and that each input has a use.
@@ -71,6 +131,7 @@ pub(crate) fn inputs(model: &IndexedModel<'_>) -> Vec<Finding> {
     let used = model.time_functions();
     let used: Vec<(&str, &str)> =
         used.iter().filter_map(|(path, time)| Some((path.as_str(), time.input_name()?))).collect();
+    let laws = inputs_of_laws(model);
     for (path, name) in &used {
         if declared.iter().all(|(_, own)| own != name) {
             let names = declared.iter().map(|(_, name)| name.as_str()).collect();
@@ -79,10 +140,10 @@ pub(crate) fn inputs(model: &IndexedModel<'_>) -> Vec<Finding> {
         }
     }
     for (path, name) in &declared {
-        if used.iter().all(|(_, own)| own != name) {
-            let found = format!("{}, which no load and no drive uses", quoted(name));
-            let expected =
-                "an input that is the `time` of a load or drive: `time = { kind = \"input\", name = ... }`";
+        if used.iter().all(|(_, own)| own != name) && !laws.contains(name) {
+            let found = format!("{}, which no load, no drive and no force law uses", quoted(name));
+            let expected = "an input in a formula of a force law, or as the `time` of a load or drive: \
+                            `time = { kind = \"input\", name = ... }`";
             let error = finding(format!("{path}.name"), found, expected);
             let error = error.rests_on(["loads", "joints"].map(str::to_owned));
             findings.push(Finding { absence: true, ..error });

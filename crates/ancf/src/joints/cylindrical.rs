@@ -6,7 +6,7 @@ use super::parts::measures;
 use crate::joints::parts::{
     AngularDrive, AngularSpring, End, JointActions, JointBuilder, JointCoordinate, JointKind, LinearDrive,
 };
-use crate::model::{Capability, Place, TimeFunction};
+use crate::model::{Capability, JointLaw, LawKind, Place, TimeFunction};
 use crate::units::Scaled;
 
 /// Cylindrical joint: allows rotation about an axis and displacement along it.
@@ -33,6 +33,12 @@ pub struct Cylindrical {
     /// Prescribed displacement.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub feed: Option<LinearDrive>,
+    /// Law of a moment on `a` about the axis, by the angle x, in radians, and its rate v.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub moment: Option<JointLaw>,
+    /// Law of a force on `a` along the axis, by the displacement x and its rate v.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub force: Option<JointLaw>,
 }
 
 impl JointKind for Cylindrical {
@@ -78,6 +84,10 @@ impl JointKind for Cylindrical {
         drive.chain(self.feed.iter_mut().map(|feed| &mut feed.time)).collect()
     }
 
+    fn laws_mut(&mut self) -> Vec<&mut JointLaw> {
+        self.moment.iter_mut().chain(&mut self.force).collect()
+    }
+
     fn axes(&self) -> Vec<(&'static str, [f64; 3])> {
         vec![("axis", self.axis)]
     }
@@ -87,10 +97,11 @@ impl JointKind for Cylindrical {
     }
 
     fn angle_actions(&self) -> JointActions<'_> {
-        JointActions::along_angle(&self.drive, &self.spring, &None)
+        JointActions::along_angle(&self.drive, &self.spring, &None).with_law(&self.moment, LawKind::Moment)
     }
 
     fn displacement_actions(&self) -> JointActions<'_> {
         JointActions { table: "feed", ..JointActions::along_displacement(&self.feed, &None, &None) }
+            .with_law(&self.force, LawKind::Force)
     }
 }

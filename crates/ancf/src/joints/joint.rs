@@ -13,6 +13,7 @@ use super::slide::Slide;
 use super::spherical::Spherical;
 use super::universal::Universal;
 use crate::joints::elastic::{Bushing, PointSpring};
+use crate::joints::general::{Generic, MatrixBushing};
 use crate::joints::parts::{ClampedGradients, CustomJoint, End, JointKind};
 use crate::joints::surface::Support;
 use crate::model::{Place, TimeFunction};
@@ -75,6 +76,8 @@ joint_kinds! {
     Slide(Slide),
     Bushing(Bushing),
     Spring(PointSpring),
+    Generic(Generic),
+    MatrixBushing(MatrixBushing),
     Support(Support),
 }
 
@@ -91,7 +94,17 @@ impl Joint {
 
     /// Hinge without drive, spring and friction.
     pub fn revolute(name: &str, a: Place, b: End, axis: [f64; 3]) -> Self {
-        Self::Revolute(Revolute { name: name.into(), a, b, axis, drive: None, spring: None, friction: None })
+        Self::Revolute(Revolute {
+            name: name.into(),
+            a,
+            b,
+            axis,
+            drive: None,
+            spring: None,
+            friction: None,
+            moment: None,
+            stops: None,
+        })
     }
 
     /// Ball joint.

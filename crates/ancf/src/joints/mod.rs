@@ -7,6 +7,7 @@ mod cylindrical;
 mod distance;
 mod drive;
 mod elastic;
+mod general;
 mod joint;
 mod parts;
 mod planar;
@@ -24,11 +25,13 @@ pub use cylindrical::Cylindrical;
 pub use distance::Distance;
 pub use drive::DrivenClamp;
 pub use elastic::{Bushing, PointSpring};
+pub use general::{DirectionMotion, Generic, MatrixBushing};
 pub use joint::Joint;
 pub use parts::{
-    AngularDrive, AngularFriction, AngularSpring, ClampedGradients, Coupled, Coupling, CustomJoint, End,
-    GapClosure, Ground, JointActions, JointBuilder, JointContext, JointCoordinate, JointKind, JointObject,
-    JointSymbol, JointTerm, LinearDrive, LinearFriction, LinearSpring, PrescribedMotion, RecordedCoordinate,
+    AngularDrive, AngularFriction, AngularSpring, AngularStops, ClampedGradients, Coupled, Coupling,
+    CustomJoint, End, GapClosure, Ground, JointActions, JointBuilder, JointContext, JointCoordinate,
+    JointKind, JointObject, JointSymbol, JointTerm, LinearDrive, LinearFriction, LinearSpring, LinearStops,
+    PrescribedMotion, RecordedCoordinate,
 };
 pub(crate) use parts::{Gap, JointEnds, JointEquations, Numbering};
 pub use planar::Planar;

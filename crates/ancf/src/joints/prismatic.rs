@@ -5,8 +5,9 @@ use serde::{Deserialize, Serialize};
 use super::parts::measures;
 use crate::joints::parts::{
     End, JointActions, JointBuilder, JointCoordinate, JointKind, LinearDrive, LinearFriction, LinearSpring,
+    LinearStops,
 };
-use crate::model::{Capability, Place, TimeFunction};
+use crate::model::{Capability, JointLaw, LawKind, Place, TimeFunction};
 use crate::units::Scaled;
 
 /// Prismatic joint: allows displacement along an axis.
@@ -33,6 +34,12 @@ pub struct Prismatic {
     /// Dry friction.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub friction: Option<LinearFriction>,
+    /// Law of a force on `a` along the axis, by the displacement x and its rate v.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub force: Option<JointLaw>,
+    /// Stops of the displacement.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub stops: Option<LinearStops>,
 }
 
 impl JointKind for Prismatic {
@@ -75,6 +82,10 @@ impl JointKind for Prismatic {
         self.drive.iter_mut().map(|drive| &mut drive.time).collect()
     }
 
+    fn laws_mut(&mut self) -> Vec<&mut JointLaw> {
+        self.force.iter_mut().collect()
+    }
+
     fn axes(&self) -> Vec<(&'static str, [f64; 3])> {
         vec![("axis", self.axis)]
     }
@@ -85,5 +96,7 @@ impl JointKind for Prismatic {
 
     fn displacement_actions(&self) -> JointActions<'_> {
         JointActions::along_displacement(&self.drive, &self.spring, &self.friction)
+            .with_law(&self.force, LawKind::Force)
+            .with_stops(self.stops.as_ref().map(LinearStops::law))
     }
 }

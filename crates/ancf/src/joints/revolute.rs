@@ -3,9 +3,10 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::joints::parts::{
-    AngularDrive, AngularFriction, AngularSpring, End, JointActions, JointBuilder, JointCoordinate, JointKind,
+    AngularDrive, AngularFriction, AngularSpring, AngularStops, End, JointActions, JointBuilder,
+    JointCoordinate, JointKind,
 };
-use crate::model::{Capability, Place, TimeFunction};
+use crate::model::{Capability, JointLaw, LawKind, Place, TimeFunction};
 use crate::units::Scaled;
 
 /// Hinge: constrains the position and allows rotation about one axis.
@@ -32,6 +33,12 @@ pub struct Revolute {
     /// Dry friction.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub friction: Option<AngularFriction>,
+    /// Law of a moment on `a` about the axis, by the angle x, in radians, and its rate v.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub moment: Option<JointLaw>,
+    /// Stops of the angle.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub stops: Option<AngularStops>,
 }
 
 impl JointKind for Revolute {
@@ -70,6 +77,10 @@ impl JointKind for Revolute {
         self.drive.iter_mut().map(|drive| &mut drive.time).collect()
     }
 
+    fn laws_mut(&mut self) -> Vec<&mut JointLaw> {
+        self.moment.iter_mut().collect()
+    }
+
     fn axes(&self) -> Vec<(&'static str, [f64; 3])> {
         vec![("axis", self.axis)]
     }
@@ -80,6 +91,8 @@ impl JointKind for Revolute {
 
     fn angle_actions(&self) -> JointActions<'_> {
         JointActions::along_angle(&self.drive, &self.spring, &self.friction)
+            .with_law(&self.moment, LawKind::Moment)
+            .with_stops(self.stops.as_ref().map(AngularStops::law))
     }
 
     fn closes(&self) -> bool {

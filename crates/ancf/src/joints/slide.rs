@@ -4,9 +4,9 @@ use serde::{Deserialize, Serialize};
 use crate::errors::{Finding, finding};
 use crate::joints::parts::{
     End, JointActions, JointBuilder, JointContext, JointCoordinate, JointKind, LinearDrive, LinearFriction,
-    LinearSpring,
+    LinearSpring, LinearStops,
 };
-use crate::model::{Body, Place, TimeFunction};
+use crate::model::{Body, JointLaw, LawKind, Place, TimeFunction};
 use crate::units::Scaled;
 
 /// Sliding joint: constrains a point to the deformed axis of a beam or cable.
@@ -29,6 +29,12 @@ pub struct Slide {
     /// Dry friction along the axis, of a given force.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub friction: Option<LinearFriction>,
+    /// Law of a force on `a` along the axis, by the displacement x and its rate v.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub force: Option<JointLaw>,
+    /// Stops of the displacement.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub stops: Option<LinearStops>,
 }
 
 impl JointKind for Slide {
@@ -60,12 +66,18 @@ impl JointKind for Slide {
         self.drive.iter_mut().map(|drive| &mut drive.time).collect()
     }
 
+    fn laws_mut(&mut self) -> Vec<&mut JointLaw> {
+        self.force.iter_mut().collect()
+    }
+
     fn free_coordinates(&self) -> &'static [JointCoordinate] {
         &[JointCoordinate::Displacement]
     }
 
     fn displacement_actions(&self) -> JointActions<'_> {
         JointActions::along_displacement(&self.drive, &self.spring, &self.friction)
+            .with_law(&self.force, LawKind::Force)
+            .with_stops(self.stops.as_ref().map(LinearStops::law))
     }
 
     fn check(&self, path: &str, context: &dyn JointContext) -> Vec<Finding> {

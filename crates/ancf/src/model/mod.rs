@@ -24,7 +24,7 @@ pub use bodies::{
     InitialMotion, NamedPosition, Place, PointMass, Rigid, Shape, Shell, ShellSurface, Slopes,
 };
 pub use contacts::{Contact, ContactSurface, Cylinder, ObstacleKind, Plane, Sphere};
-pub use functions::{Input, TimeFunction, Varying};
+pub use functions::{Input, JointLaw, LawKind, LawUse, TimeFunction, Varying};
 pub use sections::{
     Circle, CustomSection, Damping, Ellipse, GeneralSection, Material, MaterialLaw, OutlineCurve, Rectangle,
     Section, SectionObject, SectionOutline, SectionShape, Tube,
@@ -32,10 +32,11 @@ pub use sections::{
 
 pub use crate::errors::{ModelError, ModelErrors, Position};
 pub use crate::joints::{
-    AngularDrive, AngularFriction, AngularSpring, Bushing, Clamp, ClampedGradients, Coupled, Coupling,
-    Cylindrical, Distance, DrivenClamp, End, Ground, Joint, JointCoordinate, LinearDrive, LinearFriction,
-    LinearSpring, Planar, PointOnLine, PointSpring, Prismatic, Revolute, Slide, Spherical, Support,
-    SupportCondition, SupportedAxis, Universal,
+    AngularDrive, AngularFriction, AngularSpring, AngularStops, Bushing, Clamp, ClampedGradients, Coupled,
+    Coupling, Cylindrical, DirectionMotion, Distance, DrivenClamp, End, Generic, Ground, Joint,
+    JointCoordinate, LinearDrive, LinearFriction, LinearSpring, LinearStops, MatrixBushing, Planar,
+    PointOnLine, PointSpring, Prismatic, Revolute, Slide, Spherical, Support, SupportCondition,
+    SupportedAxis, Universal,
 };
 pub use crate::loads::{
     BaseAcceleration, DistributedForce, DistributedMoment, EdgeForce, EdgeMoment, ExternalLoad, Fluid, Load,

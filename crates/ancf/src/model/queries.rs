@@ -9,7 +9,7 @@ use crate::joints::Joint;
 use crate::loads::Load;
 use crate::model::bodies::{Beam, Body, PointMass, Rigid, Shell};
 use crate::model::contacts::{Contact, ObstacleKind};
-use crate::model::functions::{TimeFunction, TimeMode, Varying};
+use crate::model::functions::{JointLaw, LawUse, TimeFunction, TimeMode, Varying};
 use crate::model::sections::Section;
 use crate::model::{Model, Origin};
 
@@ -91,6 +91,11 @@ impl Model {
     pub(crate) fn connect_inputs(&mut self) -> Vec<InputSignal> {
         let signals: Vec<_> = self.inputs.iter().map(|input| InputSignal::new(input.value)).collect();
         let names: Vec<String> = self.inputs.iter().map(|input| input.name.clone()).collect();
+        for law in self.joints.iter_mut().flat_map(|joint| joint.kind_mut().laws_mut()) {
+            if let JointLaw::Expression { inputs, .. } = law {
+                *inputs = names.iter().cloned().zip(signals.iter().cloned()).collect();
+            }
+        }
         for time in self.time_functions_mut() {
             if let TimeFunction::Varying(Varying::Input { name, signal }) = time {
                 let number = names.iter().position(|own| own == name);
@@ -119,6 +124,14 @@ impl Model {
             times.map(|(table, time)| (format!("{path}{table}.time"), time)).collect::<Vec<_>>()
         });
         of_loads.chain(of_joints).collect()
+    }
+
+    /// Force laws of joints with their paths.
+    pub(crate) fn laws(&self) -> impl Iterator<Item = (String, LawUse<'_>)> {
+        joints_of(self).flat_map(|(path, joint)| {
+            let laws = joint.kind().laws().into_iter();
+            laws.map(move |one| (format!("{path}.{}", one.key), one))
+        })
     }
 
     /// Mutable functions of time.

@@ -6,7 +6,9 @@ use toml::Value;
 use crate::assembly::{Assembly, contradictions};
 use crate::checking::{broken_rules, with_memory};
 use crate::errors::{Finding, ModelError, ModelErrors, quoted};
-use crate::model::{ExternalLoad, IndexedModel, Load, Model, TimeFunction, TimeMode, Varying, loads_of};
+use crate::model::{
+    ExternalLoad, IndexedModel, JointLaw, Load, Model, TimeFunction, TimeMode, Varying, loads_of,
+};
 use crate::schema::{SCHEMA, SchemaCheck};
 
 impl Model {
@@ -71,7 +73,11 @@ impl Model {
             Load::External(ExternalLoad { name, supplied: None, .. }) => Some(missing(path, "force", name)),
             _ => None,
         });
-        let errors: Vec<ModelError> = times.chain(forces).collect();
+        let laws = self.laws().filter_map(|(path, one)| match one.law {
+            JointLaw::External { name, supplied: None, .. } => Some(missing(path, "force law", name)),
+            _ => None,
+        });
+        let errors: Vec<ModelError> = times.chain(forces).chain(laws).collect();
         if errors.is_empty() { Ok(()) } else { Err(ModelErrors(errors)) }
     }
 

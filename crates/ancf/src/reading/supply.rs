@@ -1,8 +1,9 @@
 //! External functions of a model, which the program supplies by name.
 
 use ancf_mechanics::functions::{ExternalFunction, ForceFunction};
+use ancf_mechanics::laws::UserForceLaw;
 
-use crate::model::{Load, Model, TimeFunction, Varying};
+use crate::model::{JointLaw, Load, Model, TimeFunction, Varying};
 
 impl Model {
     /// Supplies an external function of time by its name; returns true if the model uses it.
@@ -87,6 +88,56 @@ impl Model {
                 && external.name == name
             {
                 (external.supplied, is_used) = (Some(function.clone()), true);
+            }
+        }
+        is_used
+    }
+
+    /// Supplies an external force law of joints by its name; returns true if the model uses it.
+    ///
+    /// The key `autonomous` of the law in the model decides whether the force has an energy.
+    ///
+    /// Example: a hardening spring, with derivatives by dual numbers.
+    ///
+    /// ```
+    /// use ancf::mechanics::laws::{LawNumber, UserForceLaw};
+    /// use ancf::record::Series;
+    /// use ancf::{Model, simulate};
+    ///
+    /// let mut model = Model::parse(
+    ///     r#"
+    ///     bodies = [{ kind = "mass", name = "bob", center = [1.5, 0, 0], mass = 2 }]
+    ///
+    ///     [[joints]]
+    ///     kind = "spring"
+    ///     name = "spring"
+    ///     a = { body = "bob", at = "center" }
+    ///     b = { point = [0, 0, 0] }
+    ///     length = 1
+    ///     tension = { kind = "external", name = "hardening", autonomous = true }
+    ///
+    ///     [analysis]
+    ///     kind = "dynamics"
+    ///     duration = 1
+    ///     step = 1e-3
+    ///     "#,
+    /// )?;
+    /// let law = |_t: f64, x: LawNumber, _v: LawNumber| x * 10.0 + x * x * x * 40.0;
+    /// assert!(model.supply_law("hardening", UserForceLaw::by_dual_numbers(law, true)));
+    /// let mut series = Series::new();
+    /// simulate(&model, &mut series)?;
+    /// let speed = series.column("spring.speed").ok_or("no such column")?;
+    /// let fastest = speed.iter().copied().fold(0.0, f64::min);
+    /// assert!((fastest + (2.0 * (5.0 * 0.25 + 10.0 * 0.0625) / 2.0_f64).sqrt()).abs() < 1e-3); // ½ m v² = U(0.5)
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn supply_law(&mut self, name: &str, law: UserForceLaw) -> bool {
+        let mut is_used = false;
+        for own in self.joints.iter_mut().flat_map(|joint| joint.kind_mut().laws_mut()) {
+            if let JointLaw::External { name: own, supplied, .. } = own
+                && own == name
+            {
+                (*supplied, is_used) = (Some(law.clone()), true);
             }
         }
         is_used

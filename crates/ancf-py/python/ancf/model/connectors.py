@@ -11,6 +11,7 @@ from ancf.model.base.arguments import checked_arguments
 from ancf.model.base.functions import TimeFunction
 from ancf.model.base.part import Numbers, Part
 from ancf.model.base.places import JointEnd, Place
+from ancf.model.drives import JointLaw
 
 __all__ = ["Bushing", "Distance", "Spring"]
 
@@ -99,6 +100,9 @@ class Spring(Part):
         Length at zero force, length. By default the distance in the undeformed state (>= 0).
     stiffness
         Stiffness, force/length (>= 0). Default: ``0.0``.
+    tension
+        Law of a tensile force in addition, by the elongation x beyond the length at zero force, its rate v,
+        and ``length``.
     tension_only
         True for tension only, as in a rope. Default: ``False``.
 
@@ -114,4 +118,5 @@ class Spring(Part):
     damping: float | None = None
     length: float | None = None
     stiffness: float | None = None
+    tension: JointLaw | None = None
     tension_only: bool | None = None

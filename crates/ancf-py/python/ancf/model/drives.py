@@ -6,22 +6,28 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import Literal, TypeAlias
+from typing import ClassVar, Literal, TypeAlias
 
 from ancf.model.base.arguments import checked_arguments
 from ancf.model.base.functions import TimeFunction
-from ancf.model.base.part import Part
+from ancf.model.base.part import LawFunction, Part
 
 __all__ = [
     "AngularDrive",
     "AngularFriction",
     "AngularSpring",
+    "AngularStops",
     "CoupledJoint",
     "Coupling",
+    "ExternalForceLaw",
+    "ForceExpression",
     "JointCoordinate",
+    "JointLaw",
     "LinearDrive",
     "LinearFriction",
     "LinearSpring",
+    "LinearStops",
+    "Scales",
 ]
 
 
@@ -158,6 +164,154 @@ class LinearFriction(Part):
     force: float
     speed: float
 
+
+@checked_arguments
+@dataclass(kw_only=True, slots=True, eq=False, repr=False)
+class AngularStops(Part):
+    """Stops of an angle: one-sided contact at a lower and an upper angle.
+
+    The moment is p h with p = k d²/(2 δ) for depths d below δ, k (d − δ/2) beyond, and h = √(1 + (c dd/dt)²)
+    + c dd/dt.
+
+    Attributes
+    ----------
+    stiffness
+        Stiffness k, force length/radian (> 0).
+    transition
+        Depth δ over which the stiffness increases from zero, in radians (> 0).
+    damping
+        Damping c, time/radian; none by default (>= 0).
+    lower
+        Lower stop, in radians; none by default.
+    upper
+        Upper stop, in radians; none by default.
+
+    """
+
+    _form = "AngularStops"
+
+    stiffness: float
+    transition: float
+    damping: float | None = None
+    lower: float | None = None
+    upper: float | None = None
+
+
+@checked_arguments
+@dataclass(kw_only=True, slots=True, eq=False, repr=False)
+class LinearStops(Part):
+    """Stops of a displacement: one-sided contact at a lower and an upper displacement.
+
+    The force is p h with p = k d²/(2 δ) for depths d below δ, k (d − δ/2) beyond, and h = √(1 + (c dd/dt)²) +
+    c dd/dt.
+
+    Attributes
+    ----------
+    stiffness
+        Stiffness k, force/length (> 0).
+    transition
+        Depth δ over which the stiffness increases from zero, length (> 0).
+    damping
+        Damping c, time/length; none by default (>= 0).
+    lower
+        Lower stop, length; none by default.
+    upper
+        Upper stop, length; none by default.
+
+    """
+
+    _form = "LinearStops"
+
+    stiffness: float
+    transition: float
+    damping: float | None = None
+    lower: float | None = None
+    upper: float | None = None
+
+
+@checked_arguments
+@dataclass(kw_only=True, slots=True, eq=False, repr=False)
+class Scales(Part):
+    """Units of length, time and force to which a model is converted.
+
+    A quantity x of dimension Lˡ Tᵗ Fᶠ has the value x* = x / (Lˡ Tᵗ Fᶠ) in these units.
+
+    Scales form a group: identity ``Scales::UNIT``, composition ``Scales::then``, inverse ``Scales::inverse``.
+
+    Scales are expressed in the units of the model, any coherent system. Source: Kim et al. (2017), eqs (7),
+    (8), (26), (33).
+
+    Attributes
+    ----------
+    length
+        Unit of length, ``L_ND`` (> 0).
+    time
+        Unit of time, ``T_ND`` (> 0).
+    force
+        Unit of force, ``F_ND`` (> 0).
+
+    """
+
+    _form = "Scales"
+
+    length: float
+    time: float
+    force: float
+
+
+@checked_arguments
+@dataclass(kw_only=True, slots=True, eq=False, repr=False)
+class ForceExpression(Part):
+    """Formula in the coordinate x, its rate v, the time t and the names of inputs.
+
+    Attributes
+    ----------
+    text
+        Formula, such as ``-4*x - 10*x^3 - 0.1*v``.
+    units
+        Units of length, time and force of the model, measured in units of the formula; equal by default.
+
+    """
+
+    _form = "JointLaw"
+    _tag = "kind"
+    kind: ClassVar[Literal["expression"]] = "expression"
+
+    text: str = field(kw_only=False)
+    units: Scales | None = None
+
+
+@checked_arguments
+@dataclass(kw_only=True, slots=True, eq=False, repr=False)
+class ExternalForceLaw(Part):
+    """External law, which the calling program supplies by name. The command line supplies none.
+
+    Attributes
+    ----------
+    name
+        Name by which the program supplies the law. Or the function itself, f(t, x, v).
+    autonomous
+        True if the force depends on x and v alone. Then it has an energy; otherwise it counts as work.
+        Default: ``False``.
+    units
+        Units of length, time and force of the model, measured in units of the law; equal by default.
+
+    """
+
+    _form = "JointLaw"
+    _tag = "kind"
+    kind: ClassVar[Literal["external"]] = "external"
+
+    name: str | LawFunction = field(kw_only=False)
+    autonomous: bool | None = None
+    units: Scales | None = None
+
+
+JointLaw: TypeAlias = ForceExpression | ExternalForceLaw
+"""Law of a force or moment of a joint.
+
+A formula of displacement and rate, or a function of the calling program.
+"""
 
 JointCoordinate: TypeAlias = Literal["angle", "displacement"]
 """Free coordinate of a joint.

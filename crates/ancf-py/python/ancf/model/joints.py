@@ -10,23 +10,29 @@ from typing import ClassVar, Literal, TypeAlias
 
 from ancf.model.base.arguments import checked_arguments
 from ancf.model.base.functions import TimeFunction
-from ancf.model.base.part import Part, Vector
+from ancf.model.base.part import Part, Points, Vector
 from ancf.model.base.places import JointEnd, Place
 from ancf.model.connectors import Bushing, Distance, Spring
 from ancf.model.drives import (
     AngularDrive,
     AngularFriction,
     AngularSpring,
+    AngularStops,
+    JointLaw,
     LinearDrive,
     LinearFriction,
     LinearSpring,
+    LinearStops,
 )
 
 __all__ = [
     "Clamp",
     "ClampedGradients",
     "Cylindrical",
+    "DirectionMotion",
+    "Generic",
     "Joint",
+    "MatrixBushing",
     "Planar",
     "PointOnLine",
     "PrescribedMotion",
@@ -48,6 +54,13 @@ ClampedGradients: TypeAlias = Literal["all", "section"]
   elongation.
 * ``"section"``: The rotation of the section: it may change its size and shape, and the axis stretches freely,
   exact in tension. For a cable, the direction of the tangent.
+"""
+
+DirectionMotion: TypeAlias = Literal["locked", "free"]
+"""Motion along or about one axis of a generic joint.
+
+* ``"locked"``: Constrained to zero.
+* ``"free"``: Without constraint.
 """
 
 SupportedAxis: TypeAlias = Literal["x", "y", "z"]
@@ -118,8 +131,12 @@ class Revolute(Part):
         Prescribed angle.
     friction
         Dry friction.
+    moment
+        Law of a moment on ``a`` about the axis, by the angle x, in radians, and its rate v.
     spring
         Torsion spring and damper.
+    stops
+        Stops of the angle.
 
     """
 
@@ -133,7 +150,9 @@ class Revolute(Part):
     b: JointEnd | None = None
     drive: AngularDrive | None = None
     friction: AngularFriction | None = None
+    moment: JointLaw | None = None
     spring: AngularSpring | None = None
+    stops: AngularStops | None = None
 
 
 @checked_arguments
@@ -252,6 +271,10 @@ class Cylindrical(Part):
         Prescribed angle.
     feed
         Prescribed displacement.
+    force
+        Law of a force on ``a`` along the axis, by the displacement x and its rate v.
+    moment
+        Law of a moment on ``a`` about the axis, by the angle x, in radians, and its rate v.
     spring
         Torsion spring and damper.
 
@@ -267,6 +290,8 @@ class Cylindrical(Part):
     b: JointEnd | None = None
     drive: AngularDrive | None = None
     feed: LinearDrive | None = None
+    force: JointLaw | None = None
+    moment: JointLaw | None = None
     spring: AngularSpring | None = None
 
 
@@ -287,10 +312,14 @@ class Prismatic(Part):
         Second end, to which the axis is fixed; the ground by default.
     drive
         Prescribed displacement.
+    force
+        Law of a force on ``a`` along the axis, by the displacement x and its rate v.
     friction
         Dry friction.
     spring
         Spring and damper.
+    stops
+        Stops of the displacement.
 
     """
 
@@ -303,8 +332,10 @@ class Prismatic(Part):
     axis: Vector
     b: JointEnd | None = None
     drive: LinearDrive | None = None
+    force: JointLaw | None = None
     friction: LinearFriction | None = None
     spring: LinearSpring | None = None
+    stops: LinearStops | None = None
 
 
 @checked_arguments
@@ -378,10 +409,14 @@ class SlidingJoint(Part):
         Initial place on the axis of a cable or of a beam of two-node elements.
     drive
         Prescribed displacement along the axis.
+    force
+        Law of a force on ``a`` along the axis, by the displacement x and its rate v.
     friction
         Dry friction along the axis, of a given force.
     spring
         Spring and damper along the axis.
+    stops
+        Stops of the displacement.
 
     """
 
@@ -393,8 +428,115 @@ class SlidingJoint(Part):
     a: Place
     b: JointEnd
     drive: LinearDrive | None = None
+    force: JointLaw | None = None
     friction: LinearFriction | None = None
     spring: LinearSpring | None = None
+    stops: LinearStops | None = None
+
+
+@checked_arguments
+@dataclass(kw_only=True, slots=True, eq=False, repr=False)
+class Generic(Part):
+    """Generic joint: constrains chosen displacements and rotations of ``a`` relative to ``b``.
+
+    The displacements are along the axes of ``b``. Rotations: with two locked ones, the axis of the free one
+    stays parallel at both ends. With one locked rotation the joint is a universal joint, whose cross has the
+    first free axis, in the order x, y, z, x, after the locked one fixed to ``a``, and the second one to
+    ``b``.
+
+    Attributes
+    ----------
+    name
+        Name in outputs and messages.
+    a
+        First end, on which the reaction acts.
+    displacements
+        Displacements along the x-, y- and z-axis.
+    rotations
+        Rotations about the x-, y- and z-axis.
+    b
+        Second end, to which the axes are fixed; the ground by default.
+    x_axis
+        Direction of the x-axis in the undeformed state, in the global frame; global x by default. Its
+        magnitude has no effect.
+    y_axis
+        Direction of the y-axis, perpendicular to the x-axis; global y by default.
+
+    """
+
+    _form = "Joint"
+    _tag = "kind"
+    kind: ClassVar[Literal["generic"]] = "generic"
+
+    name: str = field(kw_only=False)
+    a: Place
+    displacements: Sequence[DirectionMotion]
+    rotations: Sequence[DirectionMotion]
+    b: JointEnd | None = None
+    x_axis: Vector | None = None
+    y_axis: Vector | None = None
+
+
+@checked_arguments
+@dataclass(kw_only=True, slots=True, eq=False, repr=False)
+class MatrixBushing(Part):
+    """Bushing by matrices.
+
+    Forces and moments that are linear in the displacement d and the rotation vector φ of ``a`` relative to
+    ``b``.
+
+    Force −(T d + C φ + ..) and moment −(Cᵀ d + R φ + ..) in the axes of ``b``, with the potential ½ dᵀ T d +
+    dᵀ C φ + ½ φᵀ R φ. The matrices are rows. Rotations are less than half a turn.
+
+    Attributes
+    ----------
+    name
+        Name in outputs and messages.
+    a
+        First end, on which the reaction acts.
+    stiffness
+        Symmetric stiffness T against displacements, force/length.
+    rotation_stiffness
+        Symmetric stiffness R against rotations, force length.
+    b
+        Second end, to which the axes are fixed; the ground by default.
+    coupling
+        Coupling C of displacements (rows) and rotations (columns), force; none by default.
+    coupling_damping
+        Damping by coupling of displacements (rows) and rotations (columns), force time; none by default.
+    damping
+        Symmetric damping against displacements, force time/length; none by default.
+    preload
+        Force on ``a`` in the undeformed state, in the axes of the joint, force; none by default.
+    preload_moment
+        Moment on ``a`` in the undeformed state, in the axes of the joint, force length; none by default.
+    rotation_damping
+        Symmetric damping against rotations, force length time; none by default.
+    x_axis
+        Direction of the x-axis in the undeformed state, in the global frame; global x by default. Its
+        magnitude has no effect.
+    y_axis
+        Direction of the y-axis, perpendicular to the x-axis; global y by default.
+
+    """
+
+    _form = "Joint"
+    _tag = "kind"
+    kind: ClassVar[Literal["matrix_bushing"]] = "matrix_bushing"
+
+    name: str = field(kw_only=False)
+    a: Place
+    stiffness: Points
+    rotation_stiffness: Points
+    b: JointEnd | None = None
+    coupling: Points | None = None
+    coupling_damping: Points | None = None
+    damping: Points | None = None
+    preload: Vector | None = None
+    preload_moment: Vector | None = None
+    rotation_damping: Points | None = None
+    x_axis: Vector | None = None
+    y_axis: Vector | None = None
 
 
 @checked_arguments
@@ -442,6 +584,8 @@ Joint: TypeAlias = (
     | SlidingJoint
     | Bushing
     | Spring
+    | Generic
+    | MatrixBushing
     | Support
 )
 """Joint between a body and the ground or another body.

@@ -12,6 +12,7 @@ from ancf.model.base.arguments import checked_arguments
 from ancf.model.base.functions import TimeFunction
 from ancf.model.base.part import ForceFunction, Numbers, Part, Vector
 from ancf.model.base.places import EdgeName, Place, Position
+from ancf.model.drives import Scales
 
 __all__ = [
     "BaseAcceleration",
@@ -25,40 +26,9 @@ __all__ = [
     "Input",
     "Load",
     "Moment",
-    "Scales",
     "SurfaceForce",
     "SurfacePressure",
 ]
-
-
-@checked_arguments
-@dataclass(kw_only=True, slots=True, eq=False, repr=False)
-class Scales(Part):
-    """Units of length, time and force to which a model is converted.
-
-    A quantity x of dimension Lˡ Tᵗ Fᶠ has the value x* = x / (Lˡ Tᵗ Fᶠ) in these units.
-
-    Scales form a group: identity ``Scales::UNIT``, composition ``Scales::then``, inverse ``Scales::inverse``.
-
-    Scales are expressed in the units of the model, any coherent system. Source: Kim et al. (2017), eqs (7),
-    (8), (26), (33).
-
-    Attributes
-    ----------
-    length
-        Unit of length, ``L_ND`` (> 0).
-    time
-        Unit of time, ``T_ND`` (> 0).
-    force
-        Unit of force, ``F_ND`` (> 0).
-
-    """
-
-    _form = "Scales"
-
-    length: float
-    time: float
-    force: float
 
 
 @checked_arguments

@@ -2,10 +2,11 @@
 
 use ancf_mechanics::constraints::MeasureTarget;
 use ancf_mechanics::functions::Function;
+use ancf_mechanics::laws::{ContactLaw, Stops};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::model::{TimeFunction, TimeMode};
+use crate::model::{JointLaw, LawKind, LawUse, TimeFunction, TimeMode};
 use crate::units::Scaled;
 
 /// Prescribed angle of a joint, by `angle` or by `rate`.
@@ -110,7 +111,84 @@ pub struct LinearFriction {
     pub speed: f64,
 }
 
-/// Drive, spring and friction along a free angle or displacement of a joint.
+/// Stops of an angle: one-sided contact at a lower and an upper angle.
+///
+/// The moment is p h with p = k d²/(2 δ) for depths d below δ, k (d − δ/2) beyond, and h = √(1 + (c dd/dt)²) + c dd/dt.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
+#[serde(deny_unknown_fields)]
+pub struct AngularStops {
+    /// Lower stop, in radians; none by default.
+    #[unit(radian)]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub lower: Option<f64>,
+    /// Upper stop, in radians; none by default.
+    #[unit(radian)]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub upper: Option<f64>,
+    /// Stiffness k, force length/radian.
+    #[unit(force * length / radian)]
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub stiffness: f64,
+    /// Depth δ over which the stiffness increases from zero, in radians.
+    #[unit(radian)]
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub transition: f64,
+    /// Damping c, time/radian; none by default.
+    #[unit(time / radian)]
+    #[serde(default)]
+    #[schemars(extend("minimum" = 0))]
+    pub damping: f64,
+}
+
+/// Stops of a displacement: one-sided contact at a lower and an upper displacement.
+///
+/// The force is p h with p = k d²/(2 δ) for depths d below δ, k (d − δ/2) beyond, and h = √(1 + (c dd/dt)²) + c dd/dt.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
+#[serde(deny_unknown_fields)]
+pub struct LinearStops {
+    /// Lower stop, length; none by default.
+    #[unit(length)]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub lower: Option<f64>,
+    /// Upper stop, length; none by default.
+    #[unit(length)]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub upper: Option<f64>,
+    /// Stiffness k, force/length.
+    #[unit(force / length)]
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub stiffness: f64,
+    /// Depth δ over which the stiffness increases from zero, length.
+    #[unit(length)]
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub transition: f64,
+    /// Damping c, time/length; none by default.
+    #[unit(time / length)]
+    #[serde(default)]
+    #[schemars(extend("minimum" = 0))]
+    pub damping: f64,
+}
+
+impl AngularStops {
+    /// Force law of the stops.
+    pub(crate) const fn law(&self) -> Stops {
+        stops([self.lower, self.upper], [self.stiffness, self.transition, self.damping])
+    }
+}
+
+impl LinearStops {
+    /// Force law of the stops.
+    pub(crate) const fn law(&self) -> Stops {
+        stops([self.lower, self.upper], [self.stiffness, self.transition, self.damping])
+    }
+}
+
+const fn stops(at: [Option<f64>; 2], [stiffness, transition, damping]: [f64; 3]) -> Stops {
+    // Without friction, the slip speed has no effect.
+    Stops { at, law: ContactLaw { stiffness, transition, damping, friction: 0.0, slip_speed: 1.0 } }
+}
+
+/// Drive, spring, friction, force law and stops along a free angle or displacement of a joint.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct JointActions<'a> {
     /// Table that states the drive: `"drive"` or `"feed"`.
@@ -121,6 +199,10 @@ pub struct JointActions<'a> {
     pub spring: Option<[f64; 3]>,
     /// Magnitude, and velocity below which friction is viscous.
     pub friction: Option<[f64; 2]>,
+    /// Force law.
+    pub law: Option<LawUse<'a>>,
+    /// Stops.
+    pub stops: Option<Stops>,
 }
 
 /// Prescribed angle or displacement.
@@ -133,13 +215,29 @@ pub struct PrescribedMotion<'a> {
 }
 
 impl JointActions<'_> {
-    /// True if there is a drive, a spring or friction.
+    /// True if there is a drive, a spring, friction or a force law.
     pub(crate) const fn is_some(&self) -> bool {
-        self.drive.is_some() || self.spring.is_some() || self.friction.is_some()
+        self.drive.is_some()
+            || self.spring.is_some()
+            || self.friction.is_some()
+            || self.law.is_some()
+            || self.stops.is_some()
     }
 }
 
 impl<'a> JointActions<'a> {
+    /// Adds stops.
+    #[must_use]
+    pub(crate) fn with_stops(self, stops: Option<Stops>) -> Self {
+        Self { stops, ..self }
+    }
+
+    /// Adds a force law.
+    #[must_use]
+    pub(crate) fn with_law(self, law: &'a Option<JointLaw>, kind: LawKind) -> Self {
+        Self { law: law.as_ref().map(|law| LawUse::new(law, kind)), ..self }
+    }
+
     /// Drive, spring and friction along an angle.
     pub(crate) fn along_angle(
         drive: &'a Option<AngularDrive>,
@@ -152,6 +250,8 @@ impl<'a> JointActions<'a> {
             drive: drive.as_ref().map(motion),
             spring: spring.map(|s| [s.stiffness, s.damping, s.angle]),
             friction: friction.map(|f| [f.moment, f.rate]),
+            law: None,
+            stops: None,
         }
     }
 
@@ -168,6 +268,8 @@ impl<'a> JointActions<'a> {
             drive: drive.as_ref().map(motion),
             spring: spring.map(|s| [s.stiffness, s.damping, s.displacement]),
             friction: friction.map(|f| [f.force, f.speed]),
+            law: None,
+            stops: None,
         }
     }
 }

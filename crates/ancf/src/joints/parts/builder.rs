@@ -1,13 +1,15 @@
 use std::fmt;
+use std::sync::Arc;
 
 use ancf_mechanics::bodies::normals_to;
 use ancf_mechanics::constraints::{
     BilinearMeasure, CoincidenceConstraint, ConstantAngle, HingeAngle, MeasureConstraint, MeasureFactor,
     MeasureTarget, RotationDrive, SectionDrive, SlideConstraint,
 };
-use ancf_mechanics::forces::{Friction, Spring, Strut};
+use ancf_mechanics::forces::{CoordinateForce, Friction, Spring, Strut};
 use ancf_mechanics::functions::Function;
 use ancf_mechanics::kinematics::{Attachment, BodyVector, Directions, ElementAxis};
+use ancf_mechanics::laws::{LawUnits, Resistance};
 use ancf_mechanics::shells::ShellMesh;
 use nalgebra::Vector3;
 
@@ -19,7 +21,7 @@ use super::equations::{JointEquations, Part};
 use super::measures;
 use super::recorded_coordinate::{RecordedCoordinate, Source};
 use super::term::JointTerm;
-use crate::model::{TimeFunction, TimeMode};
+use crate::model::{JointLaw, LawKind, TimeFunction, TimeMode};
 
 /// Ends of a joint as attachments to bodies.
 pub(crate) struct JointEnds<'a> {
@@ -267,8 +269,11 @@ impl<'a> JointBuilder<'a> {
             .push(RecordedCoordinate { source: Source::Position(start), coordinate: Some(own) });
     }
 
-    /// Records the distance of the two points.
+    /// Records the distance of the two points, once.
     pub fn length(&mut self) {
+        if self.equations.recorded.iter().any(|recorded| matches!(recorded.source, Source::Length(_))) {
+            return;
+        }
         let source = Source::Length(measures::apart(self.a(), self.b()));
         self.equations.recorded.push(RecordedCoordinate { source, coordinate: None });
     }
@@ -287,7 +292,16 @@ impl<'a> JointBuilder<'a> {
         self.length();
     }
 
-    /// Adds drive, spring and friction of a joint coordinate.
+    /// Adds a force between the two points by a law of the elongation beyond a length.
+    pub fn tension(&mut self, law: &JointLaw, length: Option<f64>) {
+        let reference = measures::apart(self.a(), self.b()).reference().norm();
+        let lengths = [length.unwrap_or(reference), reference];
+        let law = law.resistance(LawKind::Tension, lengths, self.time_mode);
+        self.add(Strut::with_law(&self.a().point, &self.b().point, law));
+        self.length();
+    }
+
+    /// Adds drive, spring, friction, force law and stops of a joint coordinate.
     pub fn act(&mut self, coordinate: usize, actions: &JointActions<'_>) {
         let measure = || BilinearMeasure::coordinate(coordinate);
         if let Some(drive) = &actions.drive {
@@ -299,6 +313,14 @@ impl<'a> JointBuilder<'a> {
         }
         if let Some([force, creep]) = actions.friction {
             self.add(Friction::new(measure(), force, creep));
+        }
+        if let Some(law) = actions.law {
+            let law = law.law.resistance(law.kind, [0.0; 2], self.time_mode);
+            self.add(CoordinateForce::new(coordinate, law));
+        }
+        if let Some(stops) = actions.stops {
+            let law = Resistance::acting(Arc::new(stops), LawUnits::OWN);
+            self.add(CoordinateForce::new(coordinate, law));
         }
     }
 }

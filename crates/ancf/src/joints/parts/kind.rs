@@ -7,7 +7,7 @@ use super::builder::JointBuilder;
 use super::coupling::JointCoordinate;
 use super::end::End;
 use crate::errors::Finding;
-use crate::model::{Body, Capability, Place, TimeFunction};
+use crate::model::{Body, Capability, JointLaw, LawUse, Place, TimeFunction};
 use crate::units::{Scaled, Scales};
 
 /// Kind of joint between a body and the ground or another body.
@@ -48,6 +48,16 @@ pub trait JointKind: JointObject + fmt::Debug + Send + Sync {
 
     /// Mutable functions of time, in the order of [`times`](Self::times).
     fn times_mut(&mut self) -> Vec<&mut TimeFunction> {
+        Vec::new()
+    }
+
+    /// Force laws. By default those along the angle and the displacement.
+    fn laws(&self) -> Vec<LawUse<'_>> {
+        [self.angle_actions().law, self.displacement_actions().law].into_iter().flatten().collect()
+    }
+
+    /// Mutable force laws, in the order of [`laws`](Self::laws).
+    fn laws_mut(&mut self) -> Vec<&mut JointLaw> {
         Vec::new()
     }
 

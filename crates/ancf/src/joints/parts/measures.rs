@@ -43,7 +43,7 @@ pub(crate) fn on_line(a: &Attachment, b: &Attachment, axis: Vector3<f64>) -> Vec
 }
 
 /// x·y: the angle between a direction of a and one of b.
-fn angle(a: &Attachment, b: &Attachment, x: Vector3<f64>, y: Vector3<f64>) -> BilinearMeasure {
+pub(crate) fn angle(a: &Attachment, b: &Attachment, x: Vector3<f64>, y: Vector3<f64>) -> BilinearMeasure {
     BilinearMeasure::new([(
         1.0,
         MeasureFactor::Direction(&a.direction(x)),
@@ -102,6 +102,25 @@ pub(crate) fn displacements(a: &Attachment, b: &Attachment) -> [BilinearMeasure;
 /// x·e, x·u and x·v of the axis x = e of a and the axes e, u, v of b.
 pub(crate) fn swing(a: &Attachment, b: &Attachment, [e, u, v]: [Vector3<f64>; 3]) -> [BilinearMeasure; 3] {
     [e, u, v].map(|axis| angle(a, b, e, axis))
+}
+
+/// C − 1 and the components of m = sin β n, for the rotation of a relative to b by β about n, in the axes of b.
+pub(crate) fn rotation_vector(
+    a: &Attachment,
+    b: &Attachment,
+    axes: [Vector3<f64>; 3],
+) -> (BilinearMeasure, [BilinearMeasure; 3]) {
+    let own = axes.map(|axis| a.direction(axis));
+    let other = axes.map(|axis| b.direction(axis));
+    let product = |i: usize, j: usize| (MeasureFactor::Direction(&own[i]), MeasureFactor::Other(&other[j]));
+    let sum = |parts: &[(f64, usize, usize)]| {
+        BilinearMeasure::new(parts.iter().map(|&(factor, i, j)| {
+            let (x, y) = product(i, j);
+            (factor, x, y)
+        }))
+    };
+    let sines = [0, 1, 2].map(|k| sum(&[(0.5, (k + 1) % 3, (k + 2) % 3), (-0.5, (k + 2) % 3, (k + 1) % 3)]));
+    (sum(&[(0.5, 0, 0), (0.5, 1, 1), (0.5, 2, 2)]), sines)
 }
 
 /// p of a, and u, v of b across an axis, u along p in the reference state: the angle about the axis is that from u to p.

@@ -14,8 +14,8 @@ mod recorded_coordinate;
 mod term;
 
 pub use actions::{
-    AngularDrive, AngularFriction, AngularSpring, JointActions, LinearDrive, LinearFriction, LinearSpring,
-    PrescribedMotion,
+    AngularDrive, AngularFriction, AngularSpring, AngularStops, JointActions, LinearDrive, LinearFriction,
+    LinearSpring, LinearStops, PrescribedMotion,
 };
 pub use builder::JointBuilder;
 pub(crate) use builder::{JointEnds, Numbering};

@@ -2,7 +2,7 @@ use ancf_mechanics::constraints::{
     CoincidenceConstraint, ConstantAngle, GroupedConstraint, HingeAngle, LinearConstraint, MeasureConstraint,
     RotationDrive, SectionDrive, SlideConstraint, TwistAngle, Wrench,
 };
-use ancf_mechanics::forces::{Friction, Spring, Strut, SwingSpring};
+use ancf_mechanics::forces::{CoordinateForce, Friction, MatrixBushing, Spring, Strut, SwingSpring};
 use ancf_solver::equations::{State, Term};
 
 /// Term of a joint: a constraint or a force with a reaction.
@@ -41,9 +41,11 @@ joint_terms! {
     CoincidenceConstraint: Self::grouped,
     ConstantAngle: Self::grouped,
     MeasureConstraint: Self::grouped,
+    CoordinateForce,
     Friction,
     HingeAngle,
     LinearConstraint,
+    MatrixBushing,
     RotationDrive,
     SectionDrive,
     SlideConstraint,

@@ -45,6 +45,8 @@ fn linkage() -> Model {
         drive: None,
         spring: None,
         friction: None,
+        moment: None,
+        stops: None,
     }));
     model.probes = vec![Probe::of_motion("tip", tip.clone())];
     model.loads = loads(tip);

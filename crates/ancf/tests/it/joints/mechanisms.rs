@@ -44,6 +44,8 @@ fn elbow() -> Joint {
         drive: None,
         spring: None,
         friction: None,
+        moment: None,
+        stops: None,
     })
 }
 
@@ -194,6 +196,8 @@ fn long_chain_has_one_motion_per_hinge() {
             drive: None,
             spring: None,
             friction: None,
+            moment: None,
+            stops: None,
         }));
     }
     let assembly = model.assemble().unwrap();

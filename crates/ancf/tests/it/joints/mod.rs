@@ -3,6 +3,8 @@
 mod combinations;
 mod diagnosis;
 mod drives;
+mod force_laws;
+mod generic;
 mod kinds;
 mod mechanisms;
 mod overconstrained;
@@ -11,4 +13,5 @@ mod section_compliance;
 mod skew_axes;
 mod sliding;
 mod springs;
+mod stops;
 mod unlike_clamps;

@@ -6,12 +6,13 @@ use ancf::mechanics::constraints::{
     SectionDrive, SlideConstraint, TwistAngle,
 };
 use ancf::mechanics::forces::{
-    ExternalForce, FollowerForce, Force, Friction, Moment, Spring, Strut, SwingSpring,
+    BushingMatrices, ExternalForce, FollowerForce, Force, Friction, MatrixBushing, Moment, Spring, Strut,
+    SwingSpring,
 };
 use ancf::mechanics::functions::{ForceFunction, Function};
 use ancf::mechanics::kinematics::{BodyVector, SectionFrame};
 use ancf::solver::equations::Term;
-use nalgebra::Vector3;
+use nalgebra::{Matrix6, Vector3, Vector6};
 
 use super::kind::TermKind;
 
@@ -91,7 +92,45 @@ pub(super) fn frame_terms(a: &BeamMesh, b: &BeamMesh) -> Vec<Case> {
         ),
         ("frames: slide", Box::new(slide), TermKind::Smooth),
     ];
-    [constraints, frame_loads(&fa, &point, &p)].into_iter().flatten().collect()
+    // The axes of both bodies coincide in the reference state, as those of a bushing.
+    let own = fb.reference().map(|axis| BodyVector::turned(&fa, axis));
+    let others = fb.reference().map(|axis| BodyVector::turned(&fb, axis));
+    let bushings = bushings(own.each_ref(), others.each_ref(), &apart);
+    [constraints, bushings, frame_loads(&fa, &point, &p)].into_iter().flatten().collect()
+}
+
+/// Matrix of small integers plus a multiple of the identity.
+fn symmetric(factor: f64, diagonal: f64) -> Matrix6<f64> {
+    let entry = |i: usize, j: usize| factor * (((i * j + i + j) % 5) as f64 - 2.0);
+    Matrix6::from_fn(|i, j| entry(i, j) + if i == j { diagonal } else { 0.0 })
+}
+
+/// Returns bushings by matrices, of which one has damping and one a preload.
+fn bushings(a: [&BodyVector; 3], b: [&BodyVector; 3], apart: &BodyVector) -> Vec<Case> {
+    let product =
+        |factor, i: usize, j: usize| (factor, MeasureFactor::Direction(a[i]), MeasureFactor::Other(b[j]));
+    let bushing = |stiffness, damping, preload| {
+        let along =
+            |k: usize| BilinearMeasure::new([(1.0, MeasureFactor::Other(b[k]), MeasureFactor::Point(apart))]);
+        let cosine = BilinearMeasure::new([0, 1, 2].map(|k| product(0.5, k, k)));
+        let sine = |k: usize| {
+            let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+            BilinearMeasure::new([product(0.5, i, j), product(-0.5, j, i)])
+        };
+        let matrices = BushingMatrices { stiffness, damping, preload };
+        Box::new(MatrixBushing::new([0, 1, 2].map(along), cosine, [0, 1, 2].map(sine), matrices))
+    };
+    let (none, rest, load) =
+        (Matrix6::zeros(), Vector6::zeros(), Vector6::new(0.3, -0.2, 0.1, 0.4, 0.2, -0.5));
+    vec![
+        ("frames: matrix bushing", bushing(symmetric(0.3, 4.0), none, rest), TermKind::Smooth),
+        ("frames: preloaded matrix bushing", bushing(symmetric(0.3, 4.0), none, load), TermKind::Smooth),
+        (
+            "frames: damped matrix bushing",
+            bushing(symmetric(0.02, 0.3), symmetric(0.008, 0.08), rest),
+            TermKind::Damped,
+        ),
+    ]
 }
 
 /// Returns loads on the frame of a section, on a point at an arm and along a direction of the section.

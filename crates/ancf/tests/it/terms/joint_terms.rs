@@ -4,9 +4,12 @@ use ancf::mechanics::bodies::BeamMesh;
 use ancf::mechanics::constraints::{
     BilinearMeasure, HingeAngle, MeasureConstraint, MeasureFactor, MeasureTarget, SlideConstraint,
 };
-use ancf::mechanics::forces::{Friction, Spring, Strut};
+use std::sync::Arc;
+
+use ancf::mechanics::forces::{CoordinateForce, Friction, Spring, Strut};
 use ancf::mechanics::functions::Function;
 use ancf::mechanics::kinematics::BodyVector;
+use ancf::mechanics::laws::{LawExpression, LawUnits, LawVariables, Resistance};
 use ancf::solver::equations::Term;
 use nalgebra::Vector3;
 
@@ -14,6 +17,32 @@ use super::kind::TermKind;
 
 /// Coordinate that belongs to no body.
 const OWN: usize = 100;
+
+/// Units of a law that differ from those of the term.
+const UNITS: LawUnits = LawUnits { position: 1.5, time: 0.8, force: 2.0 };
+
+fn formula(text: &str) -> Arc<LawExpression> {
+    let variables = LawVariables { position: "length", rate: "speed" };
+    Arc::new(LawExpression::parse(text, &variables, &[]).unwrap())
+}
+
+/// Tension that increases with the elongation and its rate.
+fn tension(text: &str) -> Resistance {
+    Resistance::tensile(formula(text), UNITS, 0.05)
+}
+
+/// Forces by laws of a coordinate and of a length.
+fn law_terms(point: &BodyVector, other: &BodyVector) -> Vec<(&'static str, Box<dyn Term>, TermKind)> {
+    let of_coordinate = |text| Box::new(CoordinateForce::new(OWN, Resistance::acting(formula(text), UNITS)));
+    let of_length = |text| Box::new(Strut::with_law(point, other, tension(text)));
+    vec![
+        ("law of a coordinate", of_coordinate("-2*x - 3*x^3 - 0.2*v - 0.1*v^3"), TermKind::Smooth),
+        ("law of a coordinate and time", of_coordinate("0.3*t - 2*x - 0.2*v"), TermKind::NonConservative),
+        ("preloaded law of a length", of_length("x + 0.2*length"), TermKind::Smooth),
+        ("preloaded law of a length, damped", of_length("x + 0.3*v + 0.1*v^3"), TermKind::Damped),
+        ("law of a length and time", of_length("x*t + 0.4"), TermKind::NonConservative),
+    ]
+}
 
 /// Returns terms between two bodies with their names. Terms named "preloaded" are stressed in the reference state.
 pub(super) fn joint_terms(a: &BeamMesh, b: &BeamMesh) -> Vec<(&'static str, Box<dyn Term>, TermKind)> {
@@ -39,7 +68,8 @@ pub(super) fn joint_terms(a: &BeamMesh, b: &BeamMesh) -> Vec<(&'static str, Box<
         |slides: Vec<SlideConstraint>| slides.into_iter().map(|slide| Box::new(slide) as Box<dyn Term>);
     let [mut slides, mut crossed] = [boxed(slides), boxed(crossed)];
     let mut next = || slides.next().expect("two elements");
-    vec![
+    let laws = law_terms(&point, &other);
+    let mut terms: Vec<(&'static str, Box<dyn Term>, TermKind)> = vec![
         ("point in a plane", Box::new(MeasureConstraint::new(along_line(), 5)), TermKind::Polynomial),
         (
             "driven displacement",
@@ -72,5 +102,7 @@ pub(super) fn joint_terms(a: &BeamMesh, b: &BeamMesh) -> Vec<(&'static str, Box<
         ("slide, own element", next(), TermKind::Smooth),
         ("slide, other element", next(), TermKind::Smooth),
         ("slide in the last element", crossed.nth(1).expect("two elements"), TermKind::Smooth),
-    ]
+    ];
+    terms.extend(laws);
+    terms
 }

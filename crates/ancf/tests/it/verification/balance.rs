@@ -67,6 +67,8 @@ fn forks() -> [(&'static str, Model); 4] {
                     drive: None,
                     spring: None,
                     friction: None,
+                    moment: None,
+                    stops: None,
                 })
             }),
         ),
@@ -161,6 +163,8 @@ fn root_reactions_are_rates_of_momenta() {
         drive: None,
         spring: None,
         friction: None,
+        moment: None,
+        stops: None,
     });
     for (name, model) in forks().into_iter().chain([("hinged at the root", hinged)]) {
         let (assembly, states) = instants(&model);
@@ -218,6 +222,8 @@ fn consistent_start_satisfies_constraints_to_third_order() {
             drive: None,
             spring: None,
             friction: None,
+            moment: None,
+            stops: None,
         })
     });
     let assembly = Model { joints: model.joints[1..].to_vec(), ..model }.assemble().unwrap();

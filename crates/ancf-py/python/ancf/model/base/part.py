@@ -15,7 +15,7 @@ from ancf import _ancf
 from ancf.model.base.arguments import checked_arguments, label
 from ancf.model.base.tables import Tables
 
-__all__ = ["ForceFunction", "Numbers", "Part", "Points", "Shared", "Vector"]
+__all__ = ["ForceFunction", "LawFunction", "Numbers", "Part", "Points", "Shared", "Vector"]
 
 Numbers: TypeAlias = Sequence[float] | NDArray[Any]
 """A sequence of numbers."""
@@ -25,6 +25,8 @@ Points: TypeAlias = Sequence[Vector] | NDArray[Any]
 """A sequence of points, three components each."""
 ForceFunction: TypeAlias = Callable[[float, NDArray[Any], NDArray[Any]], Vector]
 """Force as a function of time, position and velocity of its point."""
+LawFunction: TypeAlias = Callable[[float, float, float], float | tuple[float, float, float]]
+"""Force of a law as a function of time t, coordinate x and rate v: the force, or the force and its derivatives by x and v."""
 
 P = TypeVar("P", bound="Part")
 

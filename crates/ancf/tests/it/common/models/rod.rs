@@ -71,6 +71,8 @@ pub(crate) fn revolute(elements: u32) -> Model {
         drive: None,
         spring: None,
         friction: None,
+        moment: None,
+        stops: None,
     });
     Model { joints: vec![hinge], ..free(elements) }
 }

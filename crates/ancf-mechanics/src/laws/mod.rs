@@ -1,0 +1,13 @@
+//! Laws of forces along one coordinate, by formulas and by functions of programs.
+
+mod contact_law;
+mod force_law;
+mod law_expression;
+mod resistance;
+mod stops;
+
+pub use contact_law::ContactLaw;
+pub use force_law::{ForceLaw, LawNumber, LawState, LawValue, UserForceLaw};
+pub use law_expression::{LawExpression, LawVariables, is_law_name};
+pub use resistance::{LawUnits, Resistance};
+pub use stops::Stops;

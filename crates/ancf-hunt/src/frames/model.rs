@@ -158,11 +158,29 @@ impl Frame {
                 }
                 (&mut joint.a, Some(&mut joint.b))
             }
+            Joint::Generic(joint) => {
+                self.axes(&mut joint.x_axis, &mut joint.y_axis);
+                (&mut joint.a, Some(&mut joint.b))
+            }
+            Joint::MatrixBushing(joint) => {
+                // The third axis and rotations change their signs with a reflection.
+                if self.sign() < 0.0 {
+                    return None;
+                }
+                self.axes(&mut joint.x_axis, &mut joint.y_axis);
+                (&mut joint.a, Some(&mut joint.b))
+            }
             Joint::Support(_) | Joint::Custom(_) => return None,
         };
         self.place(first.0);
         first.1.into_iter().for_each(&mut second);
         Some(())
+    }
+
+    /// Maps axes that are global x and y by default.
+    fn axes(&self, x: &mut Option<[f64; 3]>, y: &mut Option<[f64; 3]>) {
+        *x = Some(self.polar(x.unwrap_or([1.0, 0.0, 0.0])));
+        *y = Some(self.polar(y.unwrap_or([0.0, 1.0, 0.0])));
     }
 
     fn six(&self, x: [f64; 6]) -> Option<[f64; 6]> {

@@ -98,6 +98,8 @@ fn exchange(joint: &mut Joint) -> Option<Moment> {
         | Joint::PointOnLine(_)
         | Joint::Slide(_)
         | Joint::Bushing(_)
+        | Joint::Generic(_)
+        | Joint::MatrixBushing(_)
         | Joint::Support(_)
         | Joint::Custom(_) => {
             return None;

@@ -10,10 +10,8 @@ use crate::system::debian::has;
 use crate::system::environment::Environment;
 use crate::system::shell::{Done, cargo, root, run, say};
 
-/// Builds the benchmark program and runs it with one thread. It is run by its path: `cargo run` would build it with
-/// other features.
+/// Runs the benchmark program with one thread. It is run by its path: `cargo run` would build it with other features.
 fn measure(command: &str, options: &[String]) -> Done {
-    build()?;
     let target = env::var_os("CARGO_TARGET_DIR").map_or_else(|| root().join("target"), PathBuf::from);
     let program = target.join("release").join(format!("ancf-bench{}", env::consts::EXE_SUFFIX));
     let arguments: Vec<&OsStr> =
@@ -29,12 +27,15 @@ fn build() -> Done {
 
 /// Prints times beside their targets.
 pub(crate) fn bench(options: &[String]) -> Done {
+    build()?;
     measure("table", options)
 }
 
 /// Compares instruction counts with the recorded ones. Without valgrind they are skipped with a message.
 pub(crate) fn instructions(options: &[String]) -> Done {
     if has("valgrind") || debian::install("valgrind") && has("valgrind") {
+        // The work is that of the library, without the many crates of the program.
+        cargo("build", &["build", "--release", "--package", "ancf-bench"], &[])?;
         return measure("instructions", options);
     }
     let why = "valgrind is missing and cannot be installed: instruction counts were NOT checked";

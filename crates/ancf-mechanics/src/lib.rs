@@ -12,6 +12,7 @@ pub mod elements;
 pub mod fluid;
 pub mod forces;
 pub mod functions;
+pub mod inertia;
 pub mod kinematics;
 pub mod laws;
 pub mod rods;

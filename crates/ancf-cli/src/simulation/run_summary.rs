@@ -5,7 +5,7 @@ use std::io;
 use std::ops::ControlFlow;
 
 use ancf::errors::{percentage, short};
-use ancf::model::Analysis;
+use ancf::model::{Analysis, Modes};
 use ancf::record::Sink;
 use ancf::{Outcome, Summary};
 
@@ -32,6 +32,7 @@ impl<'a> RunSummary<'a> {
             Analysis::Dynamics(_) => &[],
             Analysis::Statics(_) => &["unstable"],
             Analysis::Path(_) => &["limit", "unstable"],
+            Analysis::Modes(Modes { damped: true, .. }) => &["growth_rate", "frequency", "damping_ratio"],
             Analysis::Modes(_) => &["squared", "frequency", "frequency_error"],
             Analysis::Buckling(_) => &["factor", "factor_error"],
         }
@@ -45,6 +46,7 @@ impl<'a> RunSummary<'a> {
     /// Returns modes and critical loads as aligned lines. Empty for other analyses.
     pub fn table(&self) -> String {
         let (heading, place, format): (_, _, fn(f64) -> String) = match self.analysis {
+            Analysis::Modes(Modes { damped: true, .. }) => return self.damped_table(),
             Analysis::Modes(_) => ("frequency", 1, frequency),
             Analysis::Buckling(_) => ("load factor", 0, digits),
             _ => return String::new(),
@@ -58,6 +60,20 @@ impl<'a> RunSummary<'a> {
         };
         let values = self.column(place).zip(self.column(place + 1));
         format!("mode  {heading:>14}  too high by\n") + &values.enumerate().map(line).collect::<String>()
+    }
+
+    /// Returns damped modes as aligned lines.
+    fn damped_table(&self) -> String {
+        let line = |(k, row): (usize, &Vec<f64>)| {
+            let value = |place: usize| row.get(place).copied().map_or_else(String::new, digits);
+            format!("{:4}  {:>14}  {:>13}  {:>14}\n", k + 1, value(1), value(2), value(0))
+        };
+        let heading = format!("mode  {:>14}  {:>13}  {:>14}\n", "frequency", "damping ratio", "growth rate");
+        if self.rows.is_empty() {
+            String::new()
+        } else {
+            heading + &self.rows.iter().enumerate().map(line).collect::<String>()
+        }
     }
 
     /// Returns modes and critical loads by column. Empty for other analyses.
@@ -117,6 +133,11 @@ impl<'a> RunSummary<'a> {
     }
 
     fn modes(&self) -> String {
+        if matches!(self.analysis, Analysis::Modes(Modes { damped: true, .. })) {
+            let unstable = self.column(0).filter(|growth| *growth > 0.0).count();
+            let text = count(self.rows.len() as u64, "damped mode");
+            return if unstable > 0 { format!("{text}, {unstable} unstable") } else { text };
+        }
         let of = |test: fn(f64) -> bool| self.column(0).filter(|squared| test(*squared)).count();
         let rigid = of(|squared| squared == 0.0);
         let unstable = self.column(1).filter(|frequency| frequency.is_nan()).count();

@@ -218,6 +218,10 @@ impl Frame {
                 load.moment_end = load.moment_end.map(|moment| self.line_moment(moment, load.follower));
             }
             Load::BaseAcceleration(load) => load.acceleration = self.polar(load.acceleration),
+            Load::BaseRotation(load) => {
+                load.angular_velocity = self.axial(load.angular_velocity);
+                load.point = self.point(load.point);
+            }
             Load::Fluid(load) => load.current = self.polar(load.current),
             Load::EdgeForce(_) | Load::EdgeMoment(_) | Load::SurfaceForce(_) | Load::SurfacePressure(_) => {
                 return None;

@@ -3,6 +3,7 @@ use nalgebra::Vector3;
 
 use super::mesh::BeamMesh;
 use crate::elements::{RigidBody, StrainEnergy};
+use crate::inertia::{MassVisitor, Momentum};
 use crate::kinematics::{Attachment, Marker, NodalVector, VectorKind};
 use crate::shells::ShellMesh;
 
@@ -69,6 +70,25 @@ impl BodyTerms {
             Self::Shell(mesh) => mesh.mass_markers().collect(),
             Self::Rigid(body) => vec![body.mass_marker()],
         }
+    }
+
+    /// Visits the elements, or the rigid body, with their nodal vectors in a state and their compact mass matrices.
+    pub fn visit_masses(&self, s: &State, visit: &mut MassVisitor<'_>) {
+        match self {
+            Self::Flexible(mesh) => mesh.visit_masses(s, visit),
+            Self::Shell(mesh) => mesh.visit_masses(s, visit),
+            Self::Rigid(body) => {
+                let vectors: Vec<NodalVector> = body.vectors(s).collect();
+                visit(&vectors, &|a, b| body.mass_entry(a, b));
+            }
+        }
+    }
+
+    /// Computes the momentum in a state.
+    pub fn momentum(&self, s: &State) -> Momentum {
+        let mut sum = Momentum::default();
+        self.visit_masses(s, &mut |vectors, mass| sum += Momentum::of(vectors, mass, s));
+        sum
     }
 
     /// Returns the attachment of joints, loads and probes.

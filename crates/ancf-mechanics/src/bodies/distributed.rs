@@ -2,8 +2,11 @@
 
 use std::ops::Range;
 
+use ancf_solver::equations::State;
+
 use super::mesh::BeamMesh;
-use crate::kinematics::{Marker, gauss, gauss3};
+use crate::inertia::MassVisitor;
+use crate::kinematics::{Marker, NodalVector, gauss, gauss3};
 
 /// Part of one element within an interval of arc length.
 #[derive(Clone, Debug)]
@@ -62,5 +65,15 @@ impl BeamMesh {
             let reference = first.iter().enumerate().map(|(i, w)| value(i) * *w).sum();
             Marker::new(first.iter().enumerate().map(|(i, w)| (self.first + 3 * (offset + i), *w)), reference)
         })
+    }
+
+    /// Visits the elements with their nodal vectors in a state and their compact mass matrices.
+    pub(crate) fn visit_masses(&self, s: &State, visit: &mut MassVisitor<'_>) {
+        let vectors: Vec<NodalVector> = self.vectors(s).collect();
+        for element in 0..self.count() {
+            let first = element * self.stride();
+            let own = &vectors[first..first + self.elements.first_moments(element).len()];
+            visit(own, &|a, b| self.elements.mass(element, a, b));
+        }
     }
 }

@@ -7,6 +7,7 @@ use nalgebra::Vector3;
 use super::element::Shell48;
 use super::hermite::{VECTORS, bicubic};
 use super::profile::ShellMedium;
+use crate::inertia::MassVisitor;
 use crate::kinematics::{
     Attachment, Directions, Marker, NodalVector, SectionFrame, VectorKind, gauss4, round_to_zero,
 };
@@ -222,6 +223,14 @@ impl ShellMesh {
     pub fn mass_markers(&self) -> impl Iterator<Item = Marker> + '_ {
         let of = |(k, element): (usize, &Shell48)| self.marker(k, &element.profile().first);
         self.elements.iter().enumerate().map(of)
+    }
+
+    /// Visits the elements with their nodal vectors in a state and their compact mass matrices.
+    pub(crate) fn visit_masses(&self, s: &State, visit: &mut MassVisitor<'_>) {
+        for (k, element) in self.elements.iter().enumerate() {
+            let mass = element.profile().mass();
+            visit(&self.element_vectors(s, k), &|a, b| mass[a][b]);
+        }
     }
 
     /// Returns the markers ∫ r dA over the elements, in the reference state.

@@ -2,18 +2,16 @@
 
 mod buckling;
 mod columns;
+mod complex;
 mod full_rows;
 mod krylov;
 mod modes;
-mod nonconservative;
 mod operator;
 mod pencil;
 mod refinement;
-mod skew_operator;
 mod softening;
 
 pub use buckling::{CriticalLoad, CriticalLoads, LoadDirection, buckling};
+pub use complex::{ComplexMode, DampedMode, DampedModes, damped_modes, nonconservative_modes, skew_ratio};
 pub use modes::{EigenModes, Mode, SturmCount, modes};
-pub use nonconservative::{ComplexMode, nonconservative_modes};
 pub use operator::EigenError;
-pub use skew_operator::skew_ratio;

@@ -19,6 +19,14 @@ pub enum EigenError {
     /// The loads have no potential, so critical loads of equilibria do not determine stability.
     #[error("the loads have no potential: their stiffness is not symmetric, and the structure may flutter")]
     Nonconservative,
+    /// Gyroscopic forces couple displacements and velocities, so modes without damping do not exist.
+    #[error("the motion has gyroscopic forces, which couple the undamped modes")]
+    Gyroscopic,
+    /// The derivative of the forces by the velocities is not known exactly.
+    #[error(
+        "a force is not differentiable in this state, or its derivative by the velocities is not known exactly"
+    )]
+    NotDifferentiable,
     /// The limit of restarts was reached.
     #[error("the eigenvalues did not converge")]
     NotConverged,

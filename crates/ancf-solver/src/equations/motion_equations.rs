@@ -121,6 +121,15 @@ pub trait EquationsOfMotion {
         Vec::new()
     }
 
+    /// Returns the lower entries (i, j, value), i > j, of the skew part of ∂f/∂v in ascending order.
+    ///
+    /// It is empty without gyroscopic forces ([`Term::skew_damping`]).
+    ///
+    /// [`Term::skew_damping`]: super::terms::Term::skew_damping
+    fn skew_damping(&self, _s: &State) -> Vec<(usize, usize, f64)> {
+        Vec::new()
+    }
+
     /// Returns a coordinate of a body that passes through its contact partner between two states, if there is one.
     fn crossing(&self, _from: &State, _to: &State) -> Option<usize> {
         None

@@ -11,7 +11,7 @@ use super::dependence::redundant_rows;
 use super::motion_equations::EquationsOfMotion;
 use super::stiffness_products::{StiffnessProducts, stiffness_products};
 use super::system::System;
-use super::term_sums::{LocalEnds, LocalState, Rotation, largest_rotation, powers, skew_stiffness};
+use super::term_sums::{LocalEnds, LocalState, Rotation, largest_rotation, powers, skew_entries};
 use super::terms::{Energy, Inadmissibility, Level, Power, State, StepStates, Term, Weights};
 use crate::sparse::{Pattern, SparseMatrix};
 
@@ -121,7 +121,11 @@ impl EquationsOfMotion for System {
     }
 
     fn skew_stiffness(&self, s: &State) -> Vec<(usize, usize, f64)> {
-        skew_stiffness(&self.terms, s)
+        skew_entries(&self.terms, s, <dyn Term>::skew_stiffness)
+    }
+
+    fn skew_damping(&self, s: &State) -> Vec<(usize, usize, f64)> {
+        skew_entries(&self.terms, s, <dyn Term>::skew_damping)
     }
 
     fn crossing(&self, from: &State, to: &State) -> Option<usize> {

@@ -30,12 +30,15 @@ pub(super) fn largest_rotation(terms: &[Arc<dyn Term>], from: &State, to: &State
     largest
 }
 
-/// Returns the sum of the skew stiffness of all terms: lower entries in ascending order without repetition.
-pub(super) fn skew_stiffness(terms: &[Arc<dyn Term>], s: &State) -> Vec<(usize, usize, f64)> {
+/// Visits the skew entries of one term in a state.
+type SkewPart = fn(&dyn Term, &Local<'_>, &mut dyn FnMut(usize, usize, f64));
+
+/// Returns the sum of a skew matrix of all terms: lower entries in ascending order without repetition.
+pub(super) fn skew_entries(terms: &[Arc<dyn Term>], s: &State, of: SkewPart) -> Vec<(usize, usize, f64)> {
     let (mut gathered, mut entries) = (LocalState::EMPTY, Vec::new());
     for term in terms {
         let (term, coordinates) = (term.as_ref(), term.coordinates());
-        term.skew_stiffness(&gathered.gather(s, term), &mut |i, j, value| {
+        of(term, &gathered.gather(s, term), &mut |i, j, value| {
             let (a, b) = (coordinates[i], coordinates[j]);
             entries.push(if a > b { (a, b, value) } else { (b, a, -value) });
         });

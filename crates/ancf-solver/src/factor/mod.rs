@@ -18,3 +18,4 @@ pub use factorisation::{Factor, FactorHistory, SingularMatrix};
 pub use inertia::inertia;
 pub use null_space::{NullSpace, SparseVector};
 pub(crate) use products::Products;
+pub(crate) use scaled_lu::GeneralLu;

@@ -2,7 +2,7 @@
 
 use super::findings::unknown_body;
 use crate::errors::{Finding, finding, quoted};
-use crate::model::{IndexedModel, Load, loads_of};
+use crate::model::{About, Analysis, IndexedModel, Load, loads_of};
 
 /// Checks that named bodies exist, and the checks of the kinds of loads.
 pub(crate) fn kinds(model: &IndexedModel<'_>) -> Vec<Finding> {
@@ -34,15 +34,46 @@ pub(crate) fn fluids(model: &IndexedModel<'_>) -> Vec<Finding> {
     findings
 }
 
-/// Rejects a fluid together with an accelerating base: the current relative to the base is undefined.
+/// Rejects motions of the ground that are undefined: with a fluid, whose current relative to the ground is not known, and rotations
+/// about more than one axis.
 pub(crate) fn bases(model: &IndexedModel<'_>) -> Vec<Finding> {
     let wet = loads_of(model).any(|(_, load)| matches!(load, Load::Fluid(_)));
+    let mut rotates = false;
     let base = |(path, load): (String, &Load)| {
-        (wet && matches!(load, Load::BaseAcceleration(_))).then(|| {
-            let found = "an accelerating ground in a model with a fluid";
-            let expected = "one or the other: how the fluid follows the ground is not known";
-            finding(format!("{path}.kind"), found, expected).rests_on(["loads".into()])
-        })
+        let is_rotation = matches!(load, Load::BaseRotation(_));
+        let is_second = is_rotation && rotates;
+        rotates |= is_rotation;
+        let [found, expected] = if is_second {
+            ["a second rotation of the ground", "one rotation: the sum of the angular velocities"]
+        } else if wet && (is_rotation || matches!(load, Load::BaseAcceleration(_))) {
+            [
+                "an accelerating ground in a model with a fluid",
+                "one or the other: how the fluid follows the ground is not known",
+            ]
+        } else {
+            return None;
+        };
+        Some(finding(format!("{path}.kind"), found, expected).rests_on(["loads".into()]))
     };
     loads_of(model).filter_map(base).collect()
+}
+
+/// Rejects modes on a rotating ground without Coriolis forces, or about a state without centrifugal forces.
+pub(crate) fn rotating_modes(model: &IndexedModel<'_>) -> Vec<Finding> {
+    let Analysis::Modes(modes) = &model.analysis else { return Vec::new() };
+    if !loads_of(model).any(|(_, load)| matches!(load, Load::BaseRotation(_))) {
+        return Vec::new();
+    }
+    let error = |key: &str, found: &str, expected: &str| {
+        finding(format!("analysis.{key}"), found, expected).rests_on(["loads".into(), "analysis.kind".into()])
+    };
+    let undamped = (!modes.damped).then(|| {
+        let found = "modes without gyroscopic forces on a rotating ground";
+        error("damped", found, "`true`: Coriolis forces couple the modes")
+    });
+    let unloaded = (modes.about == About::Reference).then(|| {
+        let found = "modes about the undeformed state on a rotating ground";
+        error("about", found, "\"equilibrium\", the state of steady rotation")
+    });
+    undamped.into_iter().chain(unloaded).collect()
 }

@@ -49,6 +49,7 @@ pub(crate) fn broken_rules(model: &Model) -> Vec<Finding> {
         super::loads::kinds,
         super::loads::fluids,
         super::loads::bases,
+        super::loads::rotating_modes,
     ];
     let of_joints = [
         super::joints::axes,

@@ -103,6 +103,11 @@ pub(crate) const fn advice_for_eigen(error: EigenError) -> &'static str {
             "modes with `about = \"equilibrium\"` under several loads: flutter begins where two frequencies meet; loads of \
              fixed direction have critical loads; fewer loads without a potential if this is an analysis of modes"
         }
+        EigenError::Gyroscopic => "modes with `damped = true`, which include gyroscopic forces",
+        EigenError::NotDifferentiable => {
+            "a state away from the opening and closing of contacts, without dry friction, and forces of programs with a symmetric \
+             derivative by the velocity"
+        }
         EigenError::NotConverged => {
             "a smaller `analysis.count`; more elements, or fewer if the elements are thousands, since the rounding error \
              of the stiffness grows with the fourth power of their number"

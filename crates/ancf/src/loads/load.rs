@@ -2,17 +2,15 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::base_acceleration::BaseAcceleration;
+use super::base_rotation::BaseRotation;
 use super::distributed_force::DistributedForce;
 use super::distributed_moment::DistributedMoment;
-use super::edge_force::EdgeForce;
-use super::edge_moment::EdgeMoment;
 use super::external::ExternalLoad;
 use super::fluid::Fluid;
 use super::parts::{CustomLoad, LoadKind};
 use super::point_force::PointForce;
 use super::point_moment::PointMoment;
-use super::surface_force::SurfaceForce;
-use super::surface_pressure::SurfacePressure;
+use super::surface::{EdgeForce, EdgeMoment, SurfaceForce, SurfacePressure};
 use crate::model::{Place, TimeFunction};
 use crate::units::{Scaled, Scales};
 
@@ -67,6 +65,7 @@ load_kinds! {
     SurfaceForce(SurfaceForce),
     SurfacePressure(SurfacePressure),
     BaseAcceleration(BaseAcceleration),
+    BaseRotation(BaseRotation),
     Fluid(Fluid),
     External(ExternalLoad),
 }

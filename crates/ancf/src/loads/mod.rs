@@ -3,30 +3,26 @@
 //! A kind of load implements [`LoadKind`]: data and units, place, needs and checks, terms of the equations of motion.
 
 mod base_acceleration;
+mod base_rotation;
 mod distributed_force;
 mod distributed_moment;
-mod edge_force;
-mod edge_moment;
 mod external;
 mod fluid;
 mod load;
 mod parts;
 mod point_force;
 mod point_moment;
-mod surface_force;
-mod surface_pressure;
+mod surface;
 
 pub use crate::model::Capability;
 pub use base_acceleration::BaseAcceleration;
+pub use base_rotation::BaseRotation;
 pub use distributed_force::DistributedForce;
 pub use distributed_moment::DistributedMoment;
-pub use edge_force::EdgeForce;
-pub use edge_moment::EdgeMoment;
 pub use external::ExternalLoad;
 pub use fluid::Fluid;
 pub use load::Load;
 pub use parts::{AxisPart, CustomLoad, LoadBuilder, LoadContext, LoadKind, LoadObject};
 pub use point_force::PointForce;
 pub use point_moment::PointMoment;
-pub use surface_force::SurfaceForce;
-pub use surface_pressure::SurfacePressure;
+pub use surface::{EdgeForce, EdgeMoment, SurfaceForce, SurfacePressure};

@@ -39,8 +39,8 @@ pub use crate::joints::{
     SupportedAxis, Universal,
 };
 pub use crate::loads::{
-    BaseAcceleration, DistributedForce, DistributedMoment, EdgeForce, EdgeMoment, ExternalLoad, Fluid, Load,
-    PointForce, PointMoment, SurfaceForce, SurfacePressure,
+    BaseAcceleration, BaseRotation, DistributedForce, DistributedMoment, EdgeForce, EdgeMoment, ExternalLoad,
+    Fluid, Load, PointForce, PointMoment, SurfaceForce, SurfacePressure,
 };
 pub use crate::units::{ScaleChoice, Units};
 pub(crate) use bodies::{ON_AXIS, shell_body};

@@ -1,6 +1,6 @@
 //! Columns of the motion of whole bodies: mass centers, momenta and energies.
 
-use ancf_mechanics::bodies::Momentum;
+use ancf_mechanics::inertia::Momentum;
 use ancf_solver::equations::State;
 use nalgebra::Vector3;
 

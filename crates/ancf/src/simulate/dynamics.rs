@@ -6,12 +6,11 @@ use ancf_solver::dynamics::{StepReport, TimeStepper};
 use ancf_solver::equations::{State, System};
 use ancf_solver::newton::SolveError;
 
-use super::checkpoint::{Checkpoint, ResumeError, fingerprint};
 use super::error::Error;
-use super::run::{AnalysisRun, RunResult, turn_warning};
-use super::simulation::Simulation;
-use super::step_control::StepControl;
-use super::summary::Summary;
+use super::run::{
+    AnalysisRun, Checkpoint, ResumeError, RunResult, Simulation, StepControl, Summary, fingerprint,
+    turn_warning,
+};
 use crate::estimate::MotionEstimate;
 use crate::failure::{AlternationMonitor, RotationMonitor, RunFailure, StabilityMonitor, find_cause};
 use crate::initial::{InitialState, StartState};

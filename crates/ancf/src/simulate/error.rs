@@ -2,7 +2,7 @@ use std::io;
 
 use thiserror::Error;
 
-use super::checkpoint::ResumeError;
+use super::run::ResumeError;
 use crate::errors::ModelErrors;
 
 /// Error of a run: invalid model or checkpoint, or failed recording. A failed computation is an [`Outcome`](crate::Outcome).

@@ -1,16 +1,12 @@
 use std::io;
 
-use super::checkpoint::{Checkpoint, ResumeError};
 use super::error::Error;
-use super::observer::Observer;
 use super::outcome::outcome;
-use super::run::{AnalysisRun, RunResult};
-use super::simulation::Simulation;
-use super::summary::Summary;
+use super::run::{AnalysisRun, Checkpoint, Observer, ResumeError, RunResult, Simulation, Summary};
 use super::{dynamics, eigen, equilibria};
 use crate::failure::{EquilibriumStability, StabilityMonitor};
 use crate::initial::StartState;
-use crate::model::{Analysis, Model};
+use crate::model::{Analysis, Model, Modes};
 use crate::record::Sink;
 use crate::results::{Column, LOAD, TIME, columns};
 
@@ -114,6 +110,7 @@ impl Simulation {
             Analysis::Path(_) => {
                 columns(assembly, LOAD, &[equilibria::COLUMNS.as_slice(), &equilibria::PATH_COLUMNS].concat())
             }
+            Analysis::Modes(Modes { damped: true, .. }) => eigen::columns(assembly, &eigen::DAMPED_COLUMNS),
             Analysis::Modes(_) => eigen::columns(assembly, &eigen::MODE_COLUMNS),
             Analysis::Buckling(_) => eigen::columns(assembly, &eigen::BUCKLING_COLUMNS),
         }

@@ -2,7 +2,7 @@ use std::ops::ControlFlow;
 
 use ancf_solver::newton::{SolveError, SolveFailure};
 
-use super::summary::Outcome;
+use super::run::Outcome;
 use crate::assembly::Assembly;
 use crate::errors::quoted;
 use crate::failure::{self, FailureCause, FailurePlace, RunFailure};

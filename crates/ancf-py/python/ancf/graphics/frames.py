@@ -87,8 +87,8 @@ def frame_label(result: ResultData, frame: int) -> str:
     if result.is_modal and row < 0:
         return f"{'mode' if result.kind == 'modes' else 'shape'} {format_number(value)}"
     if result.kind == "modes":
-        squared, frequency = result["squared"][row], result.frequencies[row]
-        if squared < 0:
+        frequency = result.frequencies[row]
+        if "squared" in result.columns and result["squared"][row] < 0:
             return f"mode {row + 1}: unstable"
         unit = result.units.get("frequency")
         unit = "Hz" if unit == "1/s" else unit

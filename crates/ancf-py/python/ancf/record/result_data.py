@@ -77,8 +77,13 @@ class ResultData(Record):
 
     @property
     def frequencies(self) -> Array:
-        """Natural frequencies, cycles per time. NaN where the state is unstable."""
+        """Natural frequencies, cycles per time. NaN where the state is unstable, 0 for aperiodic damped modes."""
         return self._first_column("frequency", "frequency")
+
+    @property
+    def damping_ratios(self) -> Array:
+        """Damping ratios −Re λ/|λ| of `ancf.Modes(damped=True)`; 1 for an aperiodic decay, negative for growth."""
+        return self._first_column("damping_ratio", "damping ratio")
 
     @property
     def errors(self) -> dict[str, float]:

@@ -128,6 +128,11 @@ pub trait Term: Any + Send + Sync {
     /// Forces without a potential have a skew part, such as follower forces. It determines flutter.
     fn skew_stiffness(&self, _at: &Local<'_>, _visit: &mut dyn FnMut(usize, usize, f64)) {}
 
+    /// Visits the lower entries (i, j), i > j, of the skew part of ∂f/∂v. The tangent contains the symmetric part.
+    ///
+    /// Gyroscopic forces have a skew part, such as the Coriolis forces of a rotating frame.
+    fn skew_damping(&self, _at: &Local<'_>, _visit: &mut dyn FnMut(usize, usize, f64)) {}
+
     /// Returns the rotation between two states, relative to the largest rotation of one load increment.
     ///
     /// Larger rotations are ambiguous: a section that turns by 2π has its initial directions.

@@ -76,6 +76,11 @@ impl<'a> LoadBuilder<'a> {
         self.bodies.iter().map(|(name, _)| name.as_str())
     }
 
+    /// All bodies with their names, in the order of the model.
+    pub(in crate::loads) fn bodies(&self) -> &'a [(String, BodyTerms)] {
+        self.bodies
+    }
+
     /// Markers of all bodies, weighted by the mass that each one stands for.
     pub fn mass_markers(&self) -> impl Iterator<Item = Marker> + use<'a> {
         self.bodies.iter().flat_map(|(_, body)| body.mass_markers())

@@ -118,11 +118,13 @@ pub struct Modes {
     pub count: u32,
     /// State about which the equations are linearised.
     pub about: About,
+    /// True for modes with damping and gyroscopic forces: frequencies, damping ratios and growth rates.
+    pub damped: bool,
 }
 
 impl Default for Modes {
     fn default() -> Self {
-        Self { count: 10, about: About::Reference }
+        Self { count: 10, about: About::Reference, damped: false }
     }
 }
 

@@ -1,5 +1,6 @@
 //! Loads and functions of time.
 
+mod base_rotation;
 mod fluid;
 mod functions;
 mod line_loads;

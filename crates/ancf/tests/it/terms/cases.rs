@@ -1,11 +1,15 @@
 //! List of the terms under test.
 
+use std::sync::Arc;
+
+use ancf::mechanics::bodies::BodyTerms;
 use ancf::mechanics::elements::{CableDamping, RigidBody};
 use ancf::mechanics::forces::{ExternalForce, FollowerForce, Moment};
 use ancf::mechanics::functions::{ForceFunction, Function};
+use ancf::mechanics::inertia::{FrameInertia, FrameRotation};
 use ancf::mechanics::kinematics::BodyVector;
 use ancf::model::{Damping, MaterialLaw};
-use ancf::solver::equations::Term;
+use ancf::solver::equations::{State, Term};
 use nalgebra::{Matrix3, Rotation3, Vector3};
 
 use super::constraints::{ORIGIN, bodies, constraints_and_loads, mesh};
@@ -107,6 +111,26 @@ fn contact_terms() -> impl Iterator<Item = TermCase> {
     })
 }
 
+/// Forces of inertia in a rotating frame, of an element of each interpolation and of a rigid body.
+fn rotating_frames() -> impl Iterator<Item = TermCase> {
+    let rotation = Arc::new(FrameRotation {
+        velocity: Vector3::new(0.7, -0.4, 1.1),
+        point: Vector3::new(0.2, 0.5, -0.3),
+        function: Function::Sine { frequency: 0.4, phase: 0.3 },
+    });
+    let inertia = Matrix3::new(2.0, 0.1, 0.2, 0.1, 1.5, -0.3, 0.2, -0.3, 1.8);
+    let rigid = RigidBody::new([0, 5], Vector3::new(0.3, 0.2, 0.1), 3.0, inertia, Vector3::zeros());
+    let flexible = meshes().into_iter().map(|(name, mesh)| (name, BodyTerms::Flexible(mesh)));
+    flexible.chain([("rigid body", BodyTerms::Rigid(rigid))]).map(move |(name, body)| {
+        let mut last = None;
+        body.visit_masses(&State::rest(body.coordinates(), 6), &mut |vectors, mass| {
+            last = Some(FrameInertia::new(vectors, mass, rotation.clone()));
+        });
+        let term = Box::new(last.expect("a body with mass"));
+        TermCase { name: format!("rotating frame, {name}"), term, kind: TermKind::NonConservative }
+    })
+}
+
 /// Returns all terms under test.
 pub(super) fn terms() -> Vec<TermCase> {
     let gravity = Vector3::new(0.3, -2.0, 0.7);
@@ -124,5 +148,5 @@ pub(super) fn terms() -> Vec<TermCase> {
     });
     let free = beams(gravity).chain(constraints).chain(followers()).chain(cable_elements(gravity));
     let free = free.chain(immersed).chain(joints).chain(rigid_bodies(gravity));
-    free.chain(contact_terms()).chain([external()]).chain(shell_terms()).collect()
+    free.chain(contact_terms()).chain([external()]).chain(shell_terms()).chain(rotating_frames()).collect()
 }

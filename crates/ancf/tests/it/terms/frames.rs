@@ -124,7 +124,11 @@ fn bushings(a: [&BodyVector; 3], b: [&BodyVector; 3], apart: &BodyVector) -> Vec
         (Matrix6::zeros(), Vector6::zeros(), Vector6::new(0.3, -0.2, 0.1, 0.4, 0.2, -0.5));
     vec![
         ("frames: matrix bushing", bushing(symmetric(0.3, 4.0), none, rest), TermKind::Smooth),
-        ("preloaded matrix bushing between frames", bushing(symmetric(0.3, 4.0), none, load), TermKind::Smooth),
+        (
+            "preloaded matrix bushing between frames",
+            bushing(symmetric(0.3, 4.0), none, load),
+            TermKind::Smooth,
+        ),
         (
             "frames: damped matrix bushing",
             bushing(symmetric(0.02, 0.3), symmetric(0.008, 0.08), rest),

@@ -1,9 +1,9 @@
-use faer::Mat;
-use nalgebra::{Complex, DMatrix, DVector};
+use nalgebra::{Complex, DVector};
 
-use super::modes::modes;
-use super::operator::{EigenError, PseudoRandom};
+use super::arnoldi::{ArnoldiOperator, ArnoldiSpace, ComplexPair, PairTolerance};
 use super::skew_operator::SkewOperator;
+use crate::eigen::modes::modes;
+use crate::eigen::operator::{EigenError, PseudoRandom};
 use crate::equations::{EquationsOfMotion, State, Weights};
 use crate::newton::Interrupt;
 use crate::sparse::SparseMatrix;
@@ -39,9 +39,8 @@ const TOLERANCE: f64 = 1e-7;
 const GUARD: usize = 4;
 /// Largest number of Krylov vectors in multiples of the first one, and the factor of the enlargements.
 const DEPTH: [usize; 2] = [16, 2];
-/// Imaginary part of θ, relative to its size, below which it is zero. Double eigenvalues of a matrix that is not
-/// symmetric have errors of the root of ε.
-const REAL: f64 = 1e-6;
+/// Double eigenvalues of a matrix that is not symmetric have errors of the root of ε.
+const PAIRS: PairTolerance = PairTolerance { real: 1e-6, equal: 1e-6, defective: None };
 
 /// Computes the `count` modes (K + A) x + Φ_qᵀ μ = ω² M x, Φ_q x = 0 about a state with the lowest Re ω².
 ///
@@ -74,18 +73,14 @@ pub fn nonconservative_modes(
     let start: Vec<DVector<f64>> =
         symmetric.iter().map(|mode| DVector::from_vec(mode.shape.clone())).collect();
     let random = (0..GUARD).map(|_| op.start(&mut random)).collect::<Result<Vec<_>, _>>()?;
-    let mut space = ArnoldiSpace { basis: Vec::new(), columns: Vec::new() };
+    let mut space = ArnoldiSpace::new(PAIRS);
     for x in start.into_iter().chain(random) {
         space.insert(&op, x);
     }
     let first = 4 * count + 24;
     let mut depth = first;
     loop {
-        while space.columns.len() < depth.min(degrees) && space.columns.len() < space.basis.len() {
-            let image = op.apply(&space.basis[space.columns.len()])?;
-            let column = space.insert(&op, image);
-            space.columns.push(column);
-        }
+        space.extend(&mut op, depth.min(degrees))?;
         let found = space.eigenpairs(count)?;
         if found.iter().all(|pair| pair.residual <= TOLERANCE) {
             return Ok(finish(&op, &space, &found, shift));
@@ -124,10 +119,8 @@ fn finish(
 ) -> Vec<ComplexMode> {
     let mode = |pair: &ComplexPair| {
         let omega_squared = pair.value.inv() + shift;
-        let mut x = DVector::zeros(space.basis[0].len());
-        for (v, weight) in space.basis.iter().zip(&pair.vector) {
-            x.axpy(if omega_squared.im < 0.0 { weight.im } else { weight.re }, v, 1.0);
-        }
+        let [real, imaginary] = space.vector(pair);
+        let x = if omega_squared.im < 0.0 { imaginary } else { real };
         let size = op.norm(&x);
         let largest = x.iter().fold(0.0_f64, |largest, x| if x.abs() > largest.abs() { *x } else { largest });
         let shape = x.iter().map(|x| x / size * largest.signum()).collect();
@@ -139,107 +132,4 @@ fn finish(
         a.re.total_cmp(&b.re).then(b.im.total_cmp(&a.im))
     });
     modes
-}
-
-/// Basis V, orthonormal in the norm of M, and T V = V H for the columns to which T was applied.
-struct ArnoldiSpace {
-    basis: Vec<DVector<f64>>,
-    columns: Vec<Vec<f64>>,
-}
-
-/// Approximate eigenpair of T, with the vector in terms of the basis.
-struct ComplexPair {
-    value: Complex<f64>,
-    vector: Vec<Complex<f64>>,
-    residual: f64,
-}
-
-/// Size of a remainder, relative to the vector, below which the vector is dependent.
-const DEPENDENT: f64 = 1e-10;
-
-impl ArnoldiSpace {
-    /// Orthogonalises a vector, twice, and adds the remainder to the basis. Returns its coefficients.
-    fn insert(&mut self, op: &SkewOperator<'_>, mut x: DVector<f64>) -> Vec<f64> {
-        let (mut coefficients, before) = (vec![0.0; self.basis.len()], op.norm(&x));
-        for _ in 0..2 {
-            let image = op.mass_times(&x);
-            for (sum, v) in coefficients.iter_mut().zip(&self.basis) {
-                let dot = v.dot(&image);
-                x.axpy(-dot, v, 1.0);
-                *sum += dot;
-            }
-        }
-        let size = op.norm(&x);
-        if size > DEPENDENT * before {
-            self.basis.push(x / size);
-            coefficients.push(size);
-        }
-        coefficients
-    }
-
-    /// Computes the eigenpairs of the square part of H with the largest |θ|: `count` of them, and one more rather than
-    /// half a conjugate pair.
-    fn eigenpairs(&self, count: usize) -> Result<Vec<ComplexPair>, EigenError> {
-        let n = self.columns.len();
-        let entry = |i: usize, j: usize| self.columns[j].get(i).copied().unwrap_or(0.0);
-        let h = DMatrix::from_fn(n, n, entry);
-        let found = Mat::from_fn(n, n, entry).eigenvalues().map_err(|_| EigenError::NotConverged)?;
-        let mut values: Vec<Complex<f64>> =
-            found.into_iter().map(|value| Complex::new(value.re, value.im)).collect();
-        for value in &mut values {
-            if value.im.abs() <= REAL * value.norm() {
-                value.im = 0.0;
-            }
-        }
-        values.sort_by(|a, b| b.norm().total_cmp(&a.norm()).then(b.im.total_cmp(&a.im)));
-        let mut end = count.min(values.len());
-        if end < values.len() && end > 0 && values[end - 1].im > 0.0 {
-            end += 1;
-        }
-        let mut pairs: Vec<ComplexPair> = Vec::with_capacity(end);
-        for (k, &value) in values[..end].iter().enumerate() {
-            let equal: Vec<&[Complex<f64>]> = pairs
-                .iter()
-                .filter(|pair| (pair.value - value).norm() <= REAL * value.norm())
-                .map(|pair| pair.vector.as_slice())
-                .collect();
-            let vector = eigenvector(&h, value, k, &equal).ok_or(EigenError::NotConverged)?;
-            let rest = |i: usize| (0..n).map(|j| vector[j] * entry(i, j)).sum::<Complex<f64>>();
-            let own = |i: usize| rest(i) - value * vector[i];
-            let square =
-                (0..n).map(|i| own(i).norm_sqr()).chain((n..self.basis.len()).map(|i| rest(i).norm_sqr()));
-            let residual = square.sum::<f64>().sqrt() / value.norm();
-            pairs.push(ComplexPair { value, vector, residual });
-        }
-        Ok(pairs)
-    }
-}
-
-/// Computes an eigenvector of H by inverse iteration, orthogonal to those of equal eigenvalues.
-fn eigenvector(
-    h: &DMatrix<f64>,
-    value: Complex<f64>,
-    seed: usize,
-    equal: &[&[Complex<f64>]],
-) -> Option<Vec<Complex<f64>>> {
-    let n = h.nrows();
-    let shift = value * (1.0 + 1e-9);
-    let shifted = DMatrix::from_fn(n, n, |i, j| {
-        Complex::from(h[(i, j)]) - if i == j { shift } else { Complex::from(0.0) }
-    });
-    let factors = shifted.lu();
-    let mut random = PseudoRandom(seed as u64 + 7);
-    let mut x = DVector::from_fn(n, |_, _| Complex::from(random.number()));
-    for _ in 0..4 {
-        for other in equal {
-            let dot: Complex<f64> = other.iter().zip(x.iter()).map(|(other, x)| other.conj() * x).sum();
-            x.iter_mut().zip(*other).for_each(|(x, other)| *x -= dot * other);
-        }
-        let size = x.norm();
-        x.unscale_mut(size);
-        x = factors.solve(&x)?;
-        let size = x.norm();
-        x.unscale_mut(size);
-    }
-    x.iter().all(|x| x.re.is_finite() && x.im.is_finite()).then(|| x.iter().copied().collect())
 }

@@ -1,7 +1,8 @@
 use faer::Mat;
 use nalgebra::{DMatrix, DVector, Dyn, LU};
 
-use super::operator::{EigenError, PseudoRandom};
+use super::arnoldi::ArnoldiOperator;
+use crate::eigen::operator::{EigenError, PseudoRandom};
 use crate::equations::{EquationsOfMotion, State, Weights};
 use crate::factor::Factor;
 use crate::newton::Interrupt;
@@ -71,11 +72,6 @@ impl<'a> SkewOperator<'a> {
         Ok(Self { coordinates, mass, left, factor, places, skew, correction, small, interrupt })
     }
 
-    /// Computes T x.
-    pub(super) fn apply(&mut self, x: &DVector<f64>) -> Result<DVector<f64>, EigenError> {
-        self.solve(self.mass_times(x))
-    }
-
     /// Returns T applied to a pseudo-random vector.
     pub(super) fn start(&mut self, random: &mut PseudoRandom) -> Result<DVector<f64>, EigenError> {
         let root = |i: usize| self.mass.diagonal_of(i).abs().sqrt();
@@ -96,19 +92,20 @@ impl<'a> SkewOperator<'a> {
         y -= &self.correction * part;
         Ok(y)
     }
+}
+
+impl ArnoldiOperator for SkewOperator<'_> {
+    fn apply(&mut self, x: &DVector<f64>) -> Result<DVector<f64>, EigenError> {
+        self.solve(self.inner_image(x))
+    }
 
     /// Computes M x.
-    pub(super) fn mass_times(&self, x: &DVector<f64>) -> DVector<f64> {
+    fn inner_image(&self, x: &DVector<f64>) -> DVector<f64> {
         let mut whole = x.as_slice().to_vec();
         whole.resize(self.mass.pattern().size(), 0.0);
         let mut product = self.mass.times(&whole);
         product.truncate(self.coordinates);
         product.into()
-    }
-
-    /// Computes √(xᵀ M x).
-    pub(super) fn norm(&self, x: &DVector<f64>) -> f64 {
-        x.dot(&self.mass_times(x)).max(0.0).sqrt()
     }
 }
 

@@ -3,8 +3,8 @@ use nalgebra::Vector3;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::parts::{LoadBuilder, LoadContext, LoadKind};
 use crate::errors::Finding;
+use crate::loads::parts::{LoadBuilder, LoadContext, LoadKind};
 use crate::model::{EdgeName, TimeFunction, shell_body};
 use crate::units::Scaled;
 

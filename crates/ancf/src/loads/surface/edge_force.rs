@@ -1,37 +1,40 @@
-use ancf_mechanics::shells::SurfacePressure as ElementPressure;
+use ancf_mechanics::kinematics::Marker;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::parts::{LoadBuilder, LoadContext, LoadKind};
 use crate::errors::Finding;
-use crate::model::{TimeFunction, shell_body};
+use crate::loads::parts::{LoadBuilder, LoadContext, LoadKind};
+use crate::model::{EdgeName, TimeFunction, shell_body};
 use crate::units::Scaled;
 
-/// Pressure on a shell, a load that follows its normal and its area.
+/// Force per length of an edge of a shell, of constant direction.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(deny_unknown_fields)]
-pub struct SurfacePressure {
+pub struct EdgeForce {
     /// Name of the shell.
     pub body: String,
-    /// Force per deformed area along the normal, which is that of u and v by the right-hand rule; force/length². Negative values act
-    /// against the normal.
-    #[unit(force / length^2)]
-    pub pressure: f64,
+    /// Edge.
+    pub edge: EdgeName,
+    /// Force per undeformed length in the global frame, force/length.
+    #[unit(force / length)]
+    pub force: [f64; 3],
     /// Function of time that multiplies the load. Statics ignores it.
     #[serde(default)]
     pub time: TimeFunction,
 }
 
-impl LoadKind for SurfacePressure {
+impl LoadKind for EdgeForce {
     fn noun(&self) -> &'static str {
-        "pressure"
+        "force per length of an edge"
     }
 
     fn build(&self, builder: &mut LoadBuilder<'_>) {
         let Some(mesh) = builder.shell(&self.body) else { return };
         let function = builder.function(&self.time);
-        for load in ElementPressure::on(mesh, self.pressure, &function) {
-            builder.add(load);
+        for points in mesh.edge_points(self.edge.edge()) {
+            let parts = points.map(|(at, length)| (length, mesh.point(at)));
+            let marker = Marker::combined(parts.iter().map(|(length, point)| (*length, point)));
+            builder.force(marker, self.force, function.clone());
         }
     }
 
@@ -45,10 +48,6 @@ impl LoadKind for SurfacePressure {
 
     fn time_mut(&mut self) -> Option<&mut TimeFunction> {
         Some(&mut self.time)
-    }
-
-    fn is_follower(&self) -> bool {
-        true
     }
 
     fn check(&self, path: &str, context: &dyn LoadContext) -> Vec<Finding> {

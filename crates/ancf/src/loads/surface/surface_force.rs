@@ -1,39 +1,34 @@
-use ancf_mechanics::kinematics::Marker;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::parts::{LoadBuilder, LoadContext, LoadKind};
 use crate::errors::Finding;
-use crate::model::{EdgeName, TimeFunction, shell_body};
+use crate::loads::parts::{LoadBuilder, LoadContext, LoadKind};
+use crate::model::{TimeFunction, shell_body};
 use crate::units::Scaled;
 
-/// Force per length of an edge of a shell, of constant direction.
+/// Force per area of a shell, of constant direction.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(deny_unknown_fields)]
-pub struct EdgeForce {
+pub struct SurfaceForce {
     /// Name of the shell.
     pub body: String,
-    /// Edge.
-    pub edge: EdgeName,
-    /// Force per undeformed length in the global frame, force/length.
-    #[unit(force / length)]
+    /// Force per undeformed area in the global frame, force/length².
+    #[unit(force / length^2)]
     pub force: [f64; 3],
     /// Function of time that multiplies the load. Statics ignores it.
     #[serde(default)]
     pub time: TimeFunction,
 }
 
-impl LoadKind for EdgeForce {
+impl LoadKind for SurfaceForce {
     fn noun(&self) -> &'static str {
-        "force per length of an edge"
+        "force per area"
     }
 
     fn build(&self, builder: &mut LoadBuilder<'_>) {
         let Some(mesh) = builder.shell(&self.body) else { return };
         let function = builder.function(&self.time);
-        for points in mesh.edge_points(self.edge.edge()) {
-            let parts = points.map(|(at, length)| (length, mesh.point(at)));
-            let marker = Marker::combined(parts.iter().map(|(length, point)| (*length, point)));
+        for marker in mesh.area_markers() {
             builder.force(marker, self.force, function.clone());
         }
     }

@@ -1,35 +1,37 @@
+use ancf_mechanics::shells::SurfacePressure as ElementPressure;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::parts::{LoadBuilder, LoadContext, LoadKind};
 use crate::errors::Finding;
+use crate::loads::parts::{LoadBuilder, LoadContext, LoadKind};
 use crate::model::{TimeFunction, shell_body};
 use crate::units::Scaled;
 
-/// Force per area of a shell, of constant direction.
+/// Pressure on a shell, a load that follows its normal and its area.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(deny_unknown_fields)]
-pub struct SurfaceForce {
+pub struct SurfacePressure {
     /// Name of the shell.
     pub body: String,
-    /// Force per undeformed area in the global frame, force/length².
+    /// Force per deformed area along the normal, which is that of u and v by the right-hand rule; force/length². Negative values act
+    /// against the normal.
     #[unit(force / length^2)]
-    pub force: [f64; 3],
+    pub pressure: f64,
     /// Function of time that multiplies the load. Statics ignores it.
     #[serde(default)]
     pub time: TimeFunction,
 }
 
-impl LoadKind for SurfaceForce {
+impl LoadKind for SurfacePressure {
     fn noun(&self) -> &'static str {
-        "force per area"
+        "pressure"
     }
 
     fn build(&self, builder: &mut LoadBuilder<'_>) {
         let Some(mesh) = builder.shell(&self.body) else { return };
         let function = builder.function(&self.time);
-        for marker in mesh.area_markers() {
-            builder.force(marker, self.force, function.clone());
+        for load in ElementPressure::on(mesh, self.pressure, &function) {
+            builder.add(load);
         }
     }
 
@@ -43,6 +45,10 @@ impl LoadKind for SurfaceForce {
 
     fn time_mut(&mut self) -> Option<&mut TimeFunction> {
         Some(&mut self.time)
+    }
+
+    fn is_follower(&self) -> bool {
+        true
     }
 
     fn check(&self, path: &str, context: &dyn LoadContext) -> Vec<Finding> {

@@ -3,8 +3,6 @@ use std::ops::AddAssign;
 use ancf_solver::equations::State;
 use nalgebra::Vector3;
 
-use super::body_terms::BodyTerms;
-use super::mesh::BeamMesh;
 use crate::kinematics::{NodalVector, VectorKind};
 
 /// Mass, first moment, momentum and kinetic energy of a body in a state.
@@ -44,7 +42,7 @@ impl Momentum {
     }
 
     /// Computes the momentum of nodal vectors with the compact mass matrix M_ab.
-    fn of(vectors: &[NodalVector], mass: impl Fn(usize, usize) -> f64, s: &State) -> Self {
+    pub(crate) fn of(vectors: &[NodalVector], mass: &dyn Fn(usize, usize) -> f64, s: &State) -> Self {
         let mut sum = Self::default();
         let velocity =
             |vector: &NodalVector| Vector3::from_column_slice(&s.v[vector.first..vector.first + 3]);
@@ -65,40 +63,5 @@ impl Momentum {
             sum.kinetic += 0.5 * velocity(own).dot(&p);
         }
         sum
-    }
-}
-
-impl BeamMesh {
-    /// Computes the momentum in a state.
-    pub fn momentum(&self, s: &State) -> Momentum {
-        let vectors: Vec<NodalVector> = self.vectors(s).collect();
-        let mut sum = Momentum::default();
-        for element in 0..self.count() {
-            let first = element * self.stride();
-            let own = &vectors[first..first + self.elements.first_moments(element).len()];
-            sum += Momentum::of(own, |a, b| self.elements.mass(element, a, b), s);
-        }
-        sum
-    }
-}
-
-impl BodyTerms {
-    /// Computes the momentum in a state.
-    pub fn momentum(&self, s: &State) -> Momentum {
-        match self {
-            Self::Flexible(mesh) => mesh.momentum(s),
-            Self::Shell(mesh) => {
-                let mut sum = Momentum::default();
-                for (k, element) in mesh.elements().iter().enumerate() {
-                    let mass = element.profile().mass();
-                    sum += Momentum::of(&mesh.element_vectors(s, k), |a, b| mass[a][b], s);
-                }
-                sum
-            }
-            Self::Rigid(body) => {
-                let vectors: Vec<NodalVector> = body.vectors(s).collect();
-                Momentum::of(&vectors, |a, b| body.mass_entry(a, b), s)
-            }
-        }
     }
 }

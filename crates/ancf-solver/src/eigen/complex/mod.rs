@@ -1,0 +1,11 @@
+//! Eigenvalue problems that are not symmetric: loads without a potential, damping and gyroscopic forces.
+
+mod arnoldi;
+mod damped;
+mod nonconservative;
+mod quadratic_operator;
+mod skew_operator;
+
+pub use damped::{DampedMode, DampedModes, damped_modes};
+pub use nonconservative::{ComplexMode, nonconservative_modes};
+pub use skew_operator::skew_ratio;

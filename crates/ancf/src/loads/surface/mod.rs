@@ -1,0 +1,11 @@
+//! Loads on the surface and on the edges of shells.
+
+mod edge_force;
+mod edge_moment;
+mod surface_force;
+mod surface_pressure;
+
+pub use edge_force::EdgeForce;
+pub use edge_moment::EdgeMoment;
+pub use surface_force::SurfaceForce;
+pub use surface_pressure::SurfacePressure;

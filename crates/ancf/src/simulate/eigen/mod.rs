@@ -1,0 +1,8 @@
+//! Eigenvalue analyses: natural modes, damped modes and critical loads.
+
+mod critical;
+mod damped;
+mod natural;
+mod shapes;
+
+pub(crate) use shapes::{BUCKLING_COLUMNS, DAMPED_COLUMNS, MODE_COLUMNS, columns};

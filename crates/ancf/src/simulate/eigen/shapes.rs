@@ -1,0 +1,86 @@
+use std::io;
+use std::ops::ControlFlow;
+
+use ancf_solver::equations::State;
+
+use crate::assembly::Assembly;
+use crate::failure::{RunFailure, unloaded};
+use crate::initial::EquilibriumSearch;
+use crate::model::{About, Model, Statics};
+use crate::results::Column;
+use crate::simulate::run::{AnalysisRun, RunResult};
+use crate::units::{Dimension, UnitQuantity};
+
+/// Upper limit on the relative residual of a mode.
+pub(super) const MAX_RESIDUAL: f64 = 1e-3;
+
+/// Columns of the solver for modes.
+pub(crate) const MODE_COLUMNS: [&str; 4] = ["frequency", "squared", "residual", "frequency_error"];
+/// Columns of the solver for damped modes.
+pub(crate) const DAMPED_COLUMNS: [&str; 4] = ["frequency", "damping_ratio", "growth_rate", "residual"];
+/// Columns of the solver for buckling.
+pub(crate) const BUCKLING_COLUMNS: [&str; 3] = ["factor", "residual", "factor_error"];
+
+/// Columns of shapes: number, columns of the solver, displacements of the probes.
+pub(crate) fn columns(assembly: &Assembly, solver: &[&str]) -> Vec<Column> {
+    let dimension = |name: &str| match name {
+        "frequency" | "frequency_error" | "growth_rate" => Some(Dimension::RATE),
+        "squared" => Some(Dimension::new(0, -2, 0)),
+        _ => None,
+    };
+    let mut columns = vec![Column::new("mode", None)];
+    let quantity = |name: &str| match name {
+        "frequency" | "frequency_error" => UnitQuantity::Frequency,
+        _ => UnitQuantity::Other,
+    };
+    columns
+        .extend(solver.iter().map(|&name| Column::new(name, dimension(name)).with_quantity(quantity(name))));
+    for (probe, _) in &assembly.probes {
+        columns.extend(["x", "y", "z"].map(|axis| Column::new(format!("{probe}.{axis}"), None)));
+    }
+    columns
+}
+
+impl AnalysisRun<'_> {
+    /// Computes the state about which the model is linearised.
+    pub(super) fn state_about(&self, model: &Model, about: About) -> Result<State, RunFailure> {
+        if about == About::Reference {
+            return Ok(unloaded(self.assembly));
+        }
+        let (assembly, interrupt, scales) = (self.assembly, self.interrupt, self.summary.scales);
+        let settings = &Statics::default();
+        EquilibriumSearch { model, scales, assembly, settings, interrupt }.run(&mut |_, _| ())
+    }
+
+    pub(super) fn begin(&mut self, solver: &[&str]) -> io::Result<()> {
+        let columns = columns(self.assembly, solver).into_iter().map(|column| column.name);
+        self.observer.begin(&columns.collect::<Vec<_>>())
+    }
+
+    /// Records values and shapes about a state.
+    pub(super) fn shapes<'s>(
+        &mut self,
+        mut about: State,
+        found: impl Iterator<Item = (Vec<f64>, &'s [f64])>,
+    ) -> RunResult {
+        // xᵀ M x = 1: with the unit of mass m, the unit of displacements is 1/√m.
+        let scales = self.summary.scales;
+        let mass = scales.force * scales.time.powi(2) / scales.length;
+        let as_velocity = scales.time / scales.length / mass.sqrt();
+        let mut found = found.enumerate().peekable();
+        while let Some((number, (values, shape))) = found.next() {
+            let mut row = vec![(number + 1) as f64];
+            row.extend(values);
+            for (_, point) in &self.assembly.probes {
+                row.extend(point.variation(&about, shape).iter().map(|x| x / mass.sqrt()));
+            }
+            about.v.iter_mut().zip(shape).for_each(|(v, x)| *v = x * as_velocity);
+            self.summary.steps += 1;
+            // A stop request at the last shape has no effect.
+            if self.observer.record(&row, &about)?.is_break() && found.peek().is_some() {
+                return Ok(Ok(ControlFlow::Break(())));
+            }
+        }
+        Ok(Ok(ControlFlow::Continue(())))
+    }
+}

@@ -90,8 +90,8 @@ impl BodyTerms {
             Self::Shell(mesh) => {
                 let mut sum = Momentum::default();
                 for (k, element) in mesh.elements().iter().enumerate() {
-                    let mass = element.profile().mass();
-                    sum += Momentum::of(&mesh.element_vectors(s, k), |a, b| mass[a][b], s);
+                    let profile = element.profile();
+                    sum += Momentum::of(&mesh.element_vectors(s, k), |a, b| profile.mass(a, b), s);
                 }
                 sum
             }

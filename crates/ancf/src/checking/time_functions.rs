@@ -2,10 +2,11 @@
 
 use nalgebra::Vector3;
 
-use super::findings::{COINCIDENT, body, rule_of_names, unknown};
+use super::findings::{COINCIDENT, body, rule_of_names};
 use crate::errors::{Finding, finding, number, quoted};
 use crate::joints::{End, Joint};
 use crate::model::{IndexedModel, Input, TimeFunction, Varying, joints_of};
+use crate::schema::unknown;
 
 /// Checks that functions of time are defined: tables in ascending order, intervals not empty, valid formulas.
 pub(crate) fn functions(model: &IndexedModel<'_>) -> Vec<Finding> {

@@ -21,13 +21,13 @@ pub use analyses::{
 };
 pub use bodies::{
     At, Beam, Body, BodySurface, Cable, Capability, DisplayShape, EdgeName, EdgePlace, Formulation,
-    InitialMotion, NamedPosition, Place, PointMass, Rigid, Shape, Shell, ShellSurface, Slopes,
+    InitialMotion, Layer, NamedPosition, Place, PointMass, Rigid, Shape, Shell, ShellSurface, Slopes,
 };
 pub use contacts::{Contact, ContactSurface, Cylinder, ObstacleKind, Plane, Sphere};
 pub use functions::{Input, TimeFunction, Varying};
 pub use sections::{
-    Circle, CustomSection, Damping, Ellipse, GeneralSection, Material, MaterialLaw, OutlineCurve, Rectangle,
-    Section, SectionObject, SectionOutline, SectionShape, Tube,
+    Circle, CustomSection, Damping, Ellipse, GeneralSection, Material, MaterialLaw, Orthotropic,
+    OutlineCurve, Rectangle, Section, SectionObject, SectionOutline, SectionShape, Tube,
 };
 
 pub use crate::errors::{ModelError, ModelErrors, Position};

@@ -2,6 +2,7 @@
 
 use nalgebra::Vector3;
 
+use super::laminates;
 use crate::errors::{Finding, finding, number, quoted};
 use crate::joints::{ClampedGradients, End, Joint};
 use crate::loads::Load;
@@ -22,7 +23,9 @@ pub(crate) fn shells(model: &IndexedModel<'_>) -> Vec<Finding> {
     for (path, shell) in shells_of(model) {
         findings.extend(rule_of_material(model, &path, shell));
         findings.extend(rule_of_surface(&path, shell));
+        findings.extend(laminates::layers(model, &path, shell));
     }
+    findings.extend(laminates::materials(model));
     if shells_of(model).next().is_none() {
         return findings;
     }
@@ -134,7 +137,8 @@ fn rules_of_joint(model: &IndexedModel<'_>, path: &str, joint: &Joint) -> Vec<Fi
         }
         if matches!(place.at, At::Edge(_)) {
             let expected = "a node [u, v]; edges have joints of kind \"support\"";
-            return (!matches!(joint, Joint::Support(_))).then(|| finding(key, "an edge", expected));
+            return (!matches!(joint, Joint::Support(_)))
+                .then(|| finding(key, "an edge", expected));
         }
         let at = place.at.on_surface()?;
         let off = |k: usize| {

@@ -99,6 +99,7 @@ fn exchange(joint: &mut Joint) -> Option<Moment> {
         | Joint::Slide(_)
         | Joint::Bushing(_)
         | Joint::Support(_)
+        | Joint::Seam(_)
         | Joint::Custom(_) => {
             return None;
         }

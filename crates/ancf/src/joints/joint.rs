@@ -14,7 +14,7 @@ use super::spherical::Spherical;
 use super::universal::Universal;
 use crate::joints::elastic::{Bushing, PointSpring};
 use crate::joints::parts::{ClampedGradients, CustomJoint, End, JointKind};
-use crate::joints::surface::Support;
+use crate::joints::surface::{Seam, Support};
 use crate::model::{Place, TimeFunction};
 use crate::units::Scaled;
 
@@ -76,6 +76,7 @@ joint_kinds! {
     Bushing(Bushing),
     Spring(PointSpring),
     Support(Support),
+    Seam(Seam),
 }
 
 impl Joint {

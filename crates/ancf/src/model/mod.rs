@@ -34,8 +34,8 @@ pub use crate::errors::{ModelError, ModelErrors, Position};
 pub use crate::joints::{
     AngularDrive, AngularFriction, AngularSpring, Bushing, Clamp, ClampedGradients, Coupled, Coupling,
     Cylindrical, Distance, DrivenClamp, End, Ground, Joint, JointCoordinate, LinearDrive, LinearFriction,
-    LinearSpring, Planar, PointOnLine, PointSpring, Prismatic, Revolute, Slide, Spherical, Support,
-    SupportCondition, SupportedAxis, Universal,
+    LinearSpring, Planar, PointOnLine, PointSpring, Prismatic, Revolute, Seam, SeamCondition, Slide,
+    Spherical, Support, SupportCondition, SupportedAxis, Universal,
 };
 pub use crate::loads::{
     BaseAcceleration, DistributedForce, DistributedMoment, EdgeForce, EdgeMoment, ExternalLoad, Fluid, Load,

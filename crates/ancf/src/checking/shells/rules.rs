@@ -136,8 +136,8 @@ fn rules_of_joint(model: &IndexedModel<'_>, path: &str, joint: &Joint) -> Vec<Fi
             return Some(finding(format!("{path}.fix"), "\"all\" on a shell", expected));
         }
         if matches!(place.at, At::Edge(_)) {
-            let expected = "a node [u, v]; edges have joints of kind \"support\"";
-            return (!matches!(joint, Joint::Support(_)))
+            let expected = "a node [u, v]; edges have joints of kind \"support\" and \"seam\"";
+            return (!matches!(joint, Joint::Support(_) | Joint::Seam(_)))
                 .then(|| finding(key, "an edge", expected));
         }
         let at = place.at.on_surface()?;

@@ -170,7 +170,7 @@ impl Frame {
                 self.axes(&mut joint.x_axis, &mut joint.y_axis);
                 (&mut joint.a, Some(&mut joint.b))
             }
-            Joint::Support(_) | Joint::Custom(_) => return None,
+            Joint::Support(_) | Joint::Seam(_) | Joint::Custom(_) => return None,
         };
         self.place(first.0);
         first.1.into_iter().for_each(&mut second);

@@ -101,6 +101,7 @@ fn exchange(joint: &mut Joint) -> Option<Moment> {
         | Joint::Generic(_)
         | Joint::MatrixBushing(_)
         | Joint::Support(_)
+        | Joint::Seam(_)
         | Joint::Custom(_) => {
             return None;
         }

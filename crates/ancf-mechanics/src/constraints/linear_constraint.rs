@@ -34,6 +34,12 @@ pub struct LinearConstraint {
     name: &'static str,
 }
 
+/// Returns the coordinates of a vector with their factors.
+fn entries(v: &ConstrainedVector) -> impl Iterator<Item = (usize, f64)> + use<> {
+    let (first, direction) = (v.first, v.direction);
+    (0..3).filter(move |&i| direction[i] != 0.0).map(move |i| (first + i, direction[i]))
+}
+
 impl LinearConstraint {
     /// Creates an equation over distinct nodal vectors. Moments of the reaction refer to the point `about`.
     pub fn new(
@@ -42,12 +48,23 @@ impl LinearConstraint {
         multiplier: usize,
         name: &'static str,
     ) -> Self {
-        let entry = |v: &ConstrainedVector| {
-            let (first, direction) = (v.first, v.direction);
-            (0..3).filter(move |&i| direction[i] != 0.0).map(move |i| (first + i, direction[i]))
-        };
-        let (coordinates, factors) = vectors.iter().flat_map(entry).unzip();
+        let (coordinates, factors) = vectors.iter().flat_map(entries).unzip();
         Self { coordinates, factors, vectors, multiplier, about: about.clone(), name }
+    }
+
+    /// Adds nodal vectors of other bodies, on which the reaction acts in the opposite direction.
+    #[must_use]
+    pub fn with_others(mut self, others: Vec<ConstrainedVector>) -> Self {
+        for (coordinate, factor) in others.iter().flat_map(entries) {
+            self.coordinates.push(coordinate);
+            self.factors.push(factor);
+        }
+        self
+    }
+
+    /// Returns the coordinates with their factors.
+    pub fn entries(&self) -> impl Iterator<Item = (usize, f64)> {
+        self.coordinates.iter().copied().zip(self.factors.iter().copied())
     }
 
     /// Returns force and moment on the body, about the point of the joint.

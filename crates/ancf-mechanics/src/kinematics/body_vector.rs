@@ -94,6 +94,20 @@ impl BodyVector {
         self.turned.iter().fold(self.linear.reference(), |sum, part| sum + part.reference)
     }
 
+    /// Returns the derivatives of a·b by the coordinates in the reference state.
+    pub fn product_gradient(a: &Self, b: &Self) -> Vec<(usize, f64)> {
+        let coordinates = Self::union_coordinates([a, b]);
+        let (own, other) = (a.within(&coordinates), b.within(&coordinates));
+        let q = vec![0.0; coordinates.len()];
+        let derivative = |(i, &coordinate): (usize, &usize)| {
+            let mut x = q.clone();
+            x[i] = 1.0;
+            let rate = own.rate(&q, &x).dot(&b.reference()) + a.reference().dot(&other.rate(&q, &x));
+            (coordinate, rate)
+        };
+        coordinates.iter().enumerate().map(derivative).filter(|(_, rate)| *rate != 0.0).collect()
+    }
+
     /// Returns the value in a state.
     pub fn value(&self, s: &State) -> Vector3<f64> {
         self.at(&s.q)

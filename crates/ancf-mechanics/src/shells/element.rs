@@ -9,8 +9,8 @@ use pulp::Arch;
 use super::hermite::{Shape, VECTORS};
 use super::profile::{POINTS, ShellMedium, ShellProfile, ShellTables, sum};
 use super::rounding::add_rounding;
-use super::stiffness::{SIZE, Square};
-use super::surface_state::{ShellStrains, SurfaceState};
+use super::stiffness::{ShellMatrix, StiffnessJob};
+use super::surface_state::{ShellStrains, SurfaceState, surface_areas};
 use crate::kinematics::relative_rotation;
 
 /// Area of the surface, relative to the reference, below which an element counts as inverted.
@@ -69,21 +69,17 @@ impl Shell48 {
     }
 
     fn mass_times(&self, x: &[Vector3<f64>; VECTORS]) -> [Vector3<f64>; VECTORS] {
-        std::array::from_fn(|a| sum(&self.profile.mass[a], x))
+        std::array::from_fn(|a| sum(&self.profile.mass[a].0, x))
     }
 
-    /// Computes the forces of inertia, of the mass-proportional damping and of gravity.
-    fn inertia(&self, at: &Local<'_>) -> [Vector3<f64>; VECTORS] {
-        let ShellMedium { mass_damping, gravity, .. } = self.profile.medium;
+    /// Returns the accelerations and, times the mass-proportional damping, the velocities.
+    fn moved(&self, at: &Local<'_>) -> [Vector3<f64>; VECTORS] {
+        let mass_damping = self.profile.medium.mass_damping;
         let mut moved = vectors(at.a);
         if mass_damping != 0.0 {
             moved.iter_mut().zip(vectors(at.v)).for_each(|(a, v)| *a += v * mass_damping);
         }
-        let mut force = self.mass_times(&moved);
-        for (force, first) in force.iter_mut().zip(&self.profile.first) {
-            *force -= gravity * (at.load * first);
-        }
-        force
+        moved
     }
 
     /// Computes the strain rates times the retardation time.
@@ -103,15 +99,11 @@ impl Shell48 {
     }
 
     /// Computes `material` times the material stiffness plus the stiffness of stresses.
-    ///
-    /// The loops are compiled for the vector units of the machine.
-    fn stiffness(&self, state: &SurfaceState, material: f64, stress: &ShellStrains) -> Square {
+    fn stiffness(&self, state: &SurfaceState, material: f64, stress: &ShellStrains) -> ShellMatrix {
         let (tables, profile) = (&*self.tables, &*self.profile);
-        Arch::new().dispatch(|| {
-            let mut square = [[0.0; SIZE]; SIZE];
-            state.add_stiffness(tables, profile, (material, stress), &mut square);
-            square
-        })
+        let mut sum = ShellMatrix::ZERO;
+        Arch::new().dispatch(StiffnessJob { state, tables, profile, material, stress, sum: &mut sum });
+        sum
     }
 
     /// Adds the tangent for a surface and its stresses.
@@ -120,16 +112,12 @@ impl Shell48 {
         let material = w.q + w.v * profile.medium.retardation;
         let mut scaled = ShellStrains::ZERO;
         scaled.add(w.q, stress);
-        let mut square = self.stiffness(state, material, &scaled);
+        let mut matrix = self.stiffness(state, material, &scaled);
         let inertia = w.a + profile.medium.mass_damping * w.v;
         if inertia != 0.0 {
-            for (a, row) in profile.mass.iter().enumerate() {
-                for (b, mass) in row[..=a].iter().enumerate() {
-                    (0..3).for_each(|i| square[3 * b + i][3 * a + i] += inertia * mass);
-                }
-            }
+            matrix.add_to_diagonal(inertia, &profile.mass);
         }
-        add_square(&square, k);
+        matrix.add_to(k);
     }
 
     /// Computes the stresses of a step, with moments that do the work of the stresses on the exact changes of curvature.
@@ -163,17 +151,10 @@ impl Shell48 {
     }
 
     fn add_forces(&self, state: &SurfaceState, stress: &ShellStrains, at: &Local<'_>, r: &mut [f64]) {
-        let mut force = self.inertia(at);
-        state.distribute(&self.tables, stress, &mut force);
-        r.iter_mut().zip(force.iter().flatten()).for_each(|(row, force)| *row += force);
-    }
-}
-
-/// Adds the lower triangle of a matrix.
-fn add_square(square: &Square, k: &mut LocalMatrix<'_>) {
-    for (j, column) in square.iter().enumerate() {
-        for (i, value) in column.iter().enumerate().skip(j) {
-            k.add(i, j, *value);
+        let force = state.forces((&self.tables, &self.profile), stress, &self.moved(at));
+        let weight = self.profile.medium.gravity * at.load;
+        for ((row, force), first) in r.chunks_exact_mut(3).zip(&force).zip(&self.profile.first) {
+            (0..3).for_each(|i| row[i] += force[i] - weight[i] * first);
         }
     }
 }
@@ -192,7 +173,7 @@ impl Term for Shell48 {
         let (profile, state) = (&*self.profile, self.state(at.q));
         let (moved, v) = (vectors(at.a).map(|a| a.norm()), vectors(at.v).map(|v| v.norm()));
         let mut bound: Shape = std::array::from_fn(|a| {
-            let of = |b: usize| profile.mass[a][b].abs() * (moved[b] + profile.medium.mass_damping * v[b]);
+            let of = |b: usize| profile.mass[a].0[b].abs() * (moved[b] + profile.medium.mass_damping * v[b]);
             let weight = (at.load * profile.first[a]).abs() * profile.medium.gravity.norm();
             2.0 * f64::EPSILON * ((0..VECTORS).map(of).sum::<f64>() + weight)
         });
@@ -229,20 +210,20 @@ impl Term for Shell48 {
         strains.add(1.0, &linear);
         strains.add(-1.0, &state.strains);
         let stress = self.profile.stress(&self.tables, &strains);
-        add_square(&self.stiffness(&state, 0.0, &stress), k);
+        self.stiffness(&state, 0.0, &stress).add_to(k);
     }
 
     fn stress_stiffness(&self, at: &Local<'_>, by: &Local<'_>, k: &mut LocalMatrix<'_>) {
         let state = self.state(at.q);
         let strains = state.rates(&self.tables, &vectors(by.q));
         let stress = self.profile.stress(&self.tables, &strains);
-        add_square(&self.stiffness(&state, 0.0, &stress), k);
+        self.stiffness(&state, 0.0, &stress).add_to(k);
     }
 
     fn inadmissibility(&self, at: &Local<'_>) -> Option<Inadmissibility> {
-        let state = self.state(at.q);
+        let areas = surface_areas(&self.tables, &self.profile, &vectors(at.q));
         let is_admissible =
-            state.points.iter().zip(&self.profile.points).all(|(now, rest)| now.area > CRUSHED * rest.area);
+            areas.iter().zip(&self.profile.points).all(|(area, rest)| *area > CRUSHED * rest.area);
         (!is_admissible).then_some(Inadmissibility::InvertedElement)
     }
 

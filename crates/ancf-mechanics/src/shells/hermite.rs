@@ -9,7 +9,7 @@ pub(crate) type Shape = [f64; VECTORS];
 /// Computes the cubic Hermite functions of value and slope at both ends, and their derivatives, at ξ in [0, 1].
 ///
 /// The order is (value, slope) at ξ = 0, then at ξ = 1. `derivative` is 0, 1 or 2.
-const fn hermite(x: f64, derivative: usize) -> [f64; 4] {
+pub(crate) const fn hermite(x: f64, derivative: usize) -> [f64; 4] {
     match derivative {
         0 => {
             let (s, c) = (x * x, x * x * x);

@@ -228,8 +228,8 @@ impl ShellMesh {
     /// Visits the elements with their nodal vectors in a state and their compact mass matrices.
     pub(crate) fn visit_masses(&self, s: &State, visit: &mut MassVisitor<'_>) {
         for (k, element) in self.elements.iter().enumerate() {
-            let mass = element.profile().mass();
-            visit(&self.element_vectors(s, k), &|a, b| mass[a][b]);
+            let profile = element.profile();
+            visit(&self.element_vectors(s, k), &|a, b| profile.mass(a, b));
         }
     }
 

@@ -2,11 +2,12 @@
 
 mod element;
 mod hermite;
+mod laminates;
 mod mesh;
 mod pressure;
 mod profile;
 mod rounding;
-mod section;
+mod rows;
 mod stiffness;
 mod stress;
 mod surface_state;
@@ -14,9 +15,9 @@ mod surface_stress;
 
 pub use element::Shell48;
 pub use hermite::VECTORS;
+pub use laminates::{Laminate, Ply, PlyElasticity, ShellSection, SurfaceMaterial};
 pub use mesh::{ShellEdge, ShellMesh};
 pub use pressure::SurfacePressure;
 pub use profile::{ShellMedium, ShellProfile};
-pub use section::ShellSection;
 pub use stress::StressField;
 pub use surface_stress::{LAYERS, SurfaceStress};

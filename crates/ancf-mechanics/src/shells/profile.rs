@@ -1,19 +1,31 @@
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::{Cholesky, Matrix3, SMatrix, Vector3};
+use pulp::Simd;
 
-use super::hermite::{Shape, VECTORS, bicubic, surface_derivatives};
-use super::section::ShellSection;
+use super::hermite::{Shape, VECTORS, bicubic, hermite, surface_derivatives};
+use super::laminates::ShellSection;
+use super::rows::Row;
 use crate::kinematics::gauss4;
 
 /// Number of points of an element at which curvatures are evaluated.
 pub(crate) const POINTS: usize = 16;
 /// Number of membrane strains of an element: ε_ξξ at 3 × 4, ε_ηη at 4 × 3 and 2 ε_ξη at 3 × 3 Lobatto points.
 pub(crate) const MEMBRANE: usize = 33;
+/// Number of membrane strains of one direction.
+const DIRECT: usize = 12;
+/// Number of tangents at the sampling points: one for a strain of one direction, two for a shear strain.
+pub(crate) const TANGENTS: usize = 2 * DIRECT + 2 * SHEARS;
+/// Number of shear strains.
+pub(crate) const SHEARS: usize = 9;
+/// Number of lists of displacement gradients: five derivatives at the integration points, and the tangents of the sampling points.
+pub(crate) const GRADIENTS: usize = 5 + TANGENTS.div_ceil(VECTORS);
 
 /// Material, inertia and loads of a shell that are common to its elements.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ShellMedium {
     /// Stiffness and mass per area.
     pub section: ShellSection,
+    /// Axis whose projection on the surface is the first direction of the section. `None` for the direction of r_ξ.
+    pub axis: Option<Vector3<f64>>,
     /// Retardation time τ of the damping that is proportional to the stiffness.
     pub retardation: f64,
     /// Rate α of the damping α M v that is proportional to the mass.
@@ -42,11 +54,11 @@ pub struct ShellProfile {
     /// Reference values of r_ξ and r_η at the sampling points.
     pub(crate) samples: Vec<[Vector3<f64>; 2]>,
     /// Membrane stiffness of the strains at the sampling points.
-    pub(crate) membrane: Box<[[f64; MEMBRANE]; MEMBRANE]>,
+    pub(crate) membrane: MembraneStiffness,
     /// True if the section couples membrane strains and curvatures.
     pub(crate) is_coupled: bool,
     /// Compact mass matrix M_ab = ∫ ρ h N_a N_b dA, and first moments ∫ ρ h N_a dA.
-    pub(crate) mass: [[f64; VECTORS]; VECTORS],
+    pub(crate) mass: [Row; VECTORS],
     pub(crate) first: Shape,
     pub(crate) medium: ShellMedium,
 }
@@ -55,7 +67,13 @@ pub struct ShellProfile {
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct ShellTables {
     /// Derivatives of the shape functions at the integration points of bending.
-    pub(crate) points: [[Shape; 5]; POINTS],
+    pub(crate) points: [[Row; 5]; POINTS],
+    /// Values of the cubic Hermite functions and their derivatives at the four points of a direction.
+    pub(crate) hermite: [[[f64; 4]; 4]; 3],
+    /// Displacement gradients of unit vectors: list g of vector a has \[g\]\[a\].
+    pub(crate) gradients: Box<[[Row; VECTORS]; GRADIENTS]>,
+    /// Shape functions of the tangents at the sampling points: r_ξ, r_η of the direct strains, then r_ξ and r_η of the shear strains.
+    pub(crate) tangents: [Row; TANGENTS],
     /// Membrane strains.
     pub(crate) samples: [MembraneSample; MEMBRANE],
     /// Values of the interpolation functions of the membrane strains at the integration points.
@@ -69,29 +87,6 @@ pub(crate) struct MembraneSample {
     pub(crate) component: usize,
     /// Derivatives of the shape functions by ξ and η.
     pub(crate) shapes: [Shape; 2],
-    /// Vectors on which the strain depends, in ascending order, and their number.
-    active: ([usize; VECTORS], usize),
-}
-
-impl MembraneSample {
-    fn new(component: usize, shapes: [Shape; 2]) -> Self {
-        let used = |a: usize| match component {
-            0 => shapes[0][a] != 0.0,
-            1 => shapes[1][a] != 0.0,
-            _ => shapes[0][a] != 0.0 || shapes[1][a] != 0.0,
-        };
-        let mut active = ([0; VECTORS], 0);
-        for a in (0..VECTORS).filter(|&a| used(a)) {
-            active.0[active.1] = a;
-            active.1 += 1;
-        }
-        Self { component, shapes, active }
-    }
-
-    /// Returns the vectors on which the strain depends, in ascending order.
-    pub(crate) fn vectors(&self) -> &[usize] {
-        &self.active.0[..self.active.1]
-    }
 }
 
 /// Integration points of an element with their weights.
@@ -132,17 +127,38 @@ pub(crate) fn each_sample(mut visit: impl FnMut(usize, [&[f64]; 2], [usize; 2]))
 impl ShellTables {
     pub(crate) fn new() -> Self {
         let points = integration_points();
-        let none = MembraneSample::new(0, [[0.0; VECTORS]; 2]);
+        let none = MembraneSample { component: 0, shapes: [[0.0; VECTORS]; 2] };
         let (mut samples, mut sampling, mut row) = ([none; MEMBRANE], [[0.0; MEMBRANE]; POINTS], 0);
         each_sample(|component, [along, across], [i, j]| {
             let at = [along[i], across[j]];
-            samples[row] = MembraneSample::new(component, [bicubic(at, [1, 0]), bicubic(at, [0, 1])]);
+            samples[row] = MembraneSample { component, shapes: [bicubic(at, [1, 0]), bicubic(at, [0, 1])] };
             for (values, ([x, y], _)) in sampling.iter_mut().zip(points) {
                 values[row] = lagrange(along, i, x) * lagrange(across, j, y);
             }
             row += 1;
         });
-        Self { points: points.map(|(at, _)| surface_derivatives(at)), samples, sampling }
+        let mut tangents = [Row::ZERO; TANGENTS];
+        for (r, row) in tangents.iter_mut().enumerate() {
+            let MembraneSample { component, shapes, .. } = &samples[Self::strain_of(r)];
+            let of = if r < MEMBRANE && *component != 1 { 0 } else { 1 };
+            *row = Row(shapes[of]);
+        }
+        let points = points.map(|(at, _)| surface_derivatives(at).map(Row));
+        let mut gradients = Box::new([[Row::ZERO; VECTORS]; GRADIENTS]);
+        for (g, a) in (0..GRADIENTS).flat_map(|g| (0..VECTORS).map(move |a| (g, a))) {
+            let of = |k: usize| match g {
+                0..5 => points[k][g].0[a],
+                _ => tangents.get((g - 5) * VECTORS + k).map_or(0.0, |row| row.0[a]),
+            };
+            gradients[g][a] = Row(std::array::from_fn(of));
+        }
+        let hermite = [0, 1, 2].map(|order| gauss4().map(|(x, _)| hermite(x, order)));
+        Self { points, hermite, gradients, tangents, samples, sampling }
+    }
+
+    /// Returns the membrane strain of a tangent.
+    pub(crate) const fn strain_of(tangent: usize) -> usize {
+        if tangent < MEMBRANE { tangent } else { tangent - SHEARS }
     }
 }
 
@@ -161,23 +177,24 @@ impl ShellProfile {
         medium: &ShellMedium,
     ) -> Self {
         let rule = integration_points();
-        let mut membrane = Box::new([[0.0; MEMBRANE]; MEMBRANE]);
-        let (mut mass, mut first) = ([[0.0; VECTORS]; VECTORS], [0.0; VECTORS]);
+        let mut membrane = SMatrix::<f64, MEMBRANE, MEMBRANE>::zeros();
+        let (mut mass, mut first) = ([Row::ZERO; VECTORS], [0.0; VECTORS]);
         let mut points = Vec::with_capacity(POINTS);
         for (k, (at, weight)) in rule.into_iter().enumerate() {
-            let values = tables.points[k].map(|shape| sum(&shape, reference));
+            let values = tables.points[k].map(|shape| sum(&shape.0, reference));
             let normal = values[0].cross(&values[1]);
             let area = normal.norm();
-            let [a, b, d] = medium.section.covariant(&values[0], &values[1]).map(|c| c * (weight * area));
+            let [a, b, d] =
+                medium.section.covariant([&values[0], &values[1]], medium.axis).map(|c| c * (weight * area));
             for (t, s) in (0..MEMBRANE).flat_map(|t| (0..MEMBRANE).map(move |s| (t, s))) {
                 let stiffness = a[(tables.samples[t].component, tables.samples[s].component)];
-                membrane[t][s] += tables.sampling[k][t] * tables.sampling[k][s] * stiffness;
+                membrane[(t, s)] += tables.sampling[k][t] * tables.sampling[k][s] * stiffness;
             }
             let shape = bicubic(at, [0, 0]);
             for i in 0..VECTORS {
                 first[i] += weight * area * medium.section.density * shape[i];
                 for j in 0..VECTORS {
-                    mass[i][j] += weight * area * medium.section.density * shape[i] * shape[j];
+                    mass[i].0[j] += weight * area * medium.section.density * shape[i] * shape[j];
                 }
             }
             points.push(BendingPoint {
@@ -191,6 +208,7 @@ impl ShellProfile {
         let samples =
             tables.samples.iter().map(|sample| sample.shapes.map(|shape| sum(&shape, reference))).collect();
         let is_coupled = medium.section.coupling != Matrix3::zeros();
+        let membrane = MembraneStiffness::new(&membrane);
         Self { points, samples, membrane, is_coupled, mass, first, medium: *medium }
     }
 
@@ -204,9 +222,9 @@ impl ShellProfile {
         areas
     }
 
-    /// Returns the compact mass matrix M_ab = ∫ ρ h N_a N_b dA.
-    pub fn mass(&self) -> &[[f64; VECTORS]; VECTORS] {
-        &self.mass
+    /// Returns an entry ∫ ρ h N_a N_b dA of the compact mass matrix.
+    pub fn mass(&self, a: usize, b: usize) -> f64 {
+        self.mass[a].0[b]
     }
 
     /// Returns the smallest area r_ξ × r_η at the integration points, relative to the product of the lengths of r_ξ and r_η.
@@ -216,5 +234,94 @@ impl ShellProfile {
             point.area / (t.norm() * s.norm())
         };
         self.points.iter().map(of).fold(f64::INFINITY, |least, x| if x < least { x } else { least })
+    }
+}
+
+/// Membrane stiffness D of an element over its membrane strains, as the factor R of D = Rᵀ R.
+///
+/// With the factor, Bᵀ D B is the square of R B, which takes half of the operations.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct MembraneStiffness {
+    /// Rows of the upper triangle.
+    factor: Box<[f64]>,
+}
+
+/// Index of the first entry of a row of the upper triangle.
+const fn start(row: usize) -> usize {
+    row * MEMBRANE - row * (row + 1) / 2 + row
+}
+
+impl MembraneStiffness {
+    /// Factorises a stiffness matrix. It has no numbers if the matrix is not positive definite.
+    pub(crate) fn new(stiffness: &SMatrix<f64, MEMBRANE, MEMBRANE>) -> Self {
+        let factor = Cholesky::new(*stiffness).map(|factor| factor.unpack());
+        let entry = |t: usize, s: usize| factor.as_ref().map_or(f64::NAN, |factor| factor[(s, t)]);
+        let entries = (0..MEMBRANE).flat_map(|t| (t..MEMBRANE).map(move |s| (t, s)));
+        Self { factor: entries.map(|(t, s)| entry(t, s)).collect() }
+    }
+
+    /// Returns the diagonal and the following entries of a row of R.
+    #[inline(always)]
+    fn row(&self, t: usize) -> &[f64] {
+        &self.factor[start(t)..start(t) + MEMBRANE - t]
+    }
+
+    /// Computes D ε.
+    pub(crate) fn stress(&self, strains: &[f64; MEMBRANE]) -> [f64; MEMBRANE] {
+        let mut stress = [0.0; MEMBRANE];
+        for t in 0..MEMBRANE {
+            let row = self.row(t);
+            let part: f64 = row.iter().zip(&strains[t..]).map(|(r, strain)| r * strain).sum();
+            stress[t..].iter_mut().zip(row).for_each(|(stress, r)| *stress += r * part);
+        }
+        stress
+    }
+
+    /// Computes |R|ᵀ |R| x, a bound of the rounding error of D ε for errors of size x.
+    pub(crate) fn bound(&self, x: &[f64; MEMBRANE]) -> [f64; MEMBRANE] {
+        let mut bound = [0.0; MEMBRANE];
+        for t in 0..MEMBRANE {
+            let row = self.row(t);
+            let part: f64 = row.iter().zip(&x[t..]).map(|(r, x)| r.abs() * x).sum();
+            bound[t..].iter_mut().zip(row).for_each(|(bound, r)| *bound += r.abs() * part);
+        }
+        bound
+    }
+
+    /// Replaces the rows B by R B.
+    #[inline(always)]
+    pub(crate) fn multiply<S: Simd>(&self, simd: S, rows: &mut [[Row; 3]; MEMBRANE]) {
+        if VECTORS / S::F64_LANES < 4 {
+            self.multiply_wide::<S, 2>(simd, rows);
+        } else {
+            self.multiply_wide::<S, 4>(simd, rows);
+        }
+    }
+
+    #[inline(always)]
+    fn multiply_wide<S: Simd, const WIDTH: usize>(&self, simd: S, rows: &mut [[Row; 3]; MEMBRANE]) {
+        for t in 0..MEMBRANE {
+            // Rows before t are complete, and rows from t on are still those of B.
+            let factors = self.row(t);
+            for first in (0..VECTORS / S::F64_LANES).step_by(WIDTH) {
+                let mut sums = [[simd.splat_f64s(0.0); WIDTH]; 3];
+                for (factor, row) in factors.iter().zip(&rows[t..]) {
+                    if *factor == 0.0 {
+                        continue;
+                    }
+                    let factor = simd.splat_f64s(*factor);
+                    for i in 0..3 {
+                        for k in 0..WIDTH {
+                            sums[i][k] = simd.mul_add_e_f64s(factor, row[i].load::<S>(first + k), sums[i][k]);
+                        }
+                    }
+                }
+                for (row, sums) in rows[t].iter_mut().zip(sums) {
+                    for k in 0..WIDTH {
+                        row.store::<S>(first + k, sums[k]);
+                    }
+                }
+            }
+        }
     }
 }

@@ -37,8 +37,8 @@ pub(crate) fn add_rounding(
     }
     for (k, point) in state.points.iter().enumerate() {
         let (shapes, reference) = (&tables.points[k], &profile.points[k].reference);
-        let sizes = shapes.each_ref().map(|shape| size(shape, q));
-        let rates = shapes.each_ref().map(|shape| time * size(shape, v));
+        let sizes = shapes.each_ref().map(|shape| size(&shape.0, q));
+        let rates = shapes.each_ref().map(|shape| time * size(&shape.0, v));
         let dual = point.dual.map(|a| a.norm());
         let turned = sizes[0] * dual[0] + sizes[1] * dual[1];
         amplified[k] = 1.0 + turned;
@@ -63,10 +63,8 @@ fn add_membrane(
     q: &Shape,
 ) {
     let strains = &state.strains;
-    let mut error: [f64; MEMBRANE] = std::array::from_fn(|r| {
-        let row = profile.membrane[r].iter().zip(errors).zip(&strains.membrane);
-        row.map(|((d, error), strain)| d.abs() * (error + SUM * strain.abs())).sum()
-    });
+    let of_strain = std::array::from_fn(|t| errors[t] + SUM * strains.membrane[t].abs());
+    let mut error = profile.membrane.bound(&of_strain);
     if profile.is_coupled {
         for (k, point) in profile.points.iter().enumerate() {
             for (r, error) in error.iter_mut().enumerate() {
@@ -120,10 +118,10 @@ fn add_bending(
                 }
             }
             let error = VOIGT[i] * (error + SUM * amplified[k] * stress.bending[k][i].abs());
-            let second = own.reference[i + 2].norm() + size(&shapes[i + 2], q);
+            let second = own.reference[i + 2].norm() + size(&shapes[i + 2].0, q);
             for a in 0..VECTORS {
-                let tangential = dual[0] * shapes[0][a].abs() + dual[1] * shapes[1][a].abs();
-                bound[a] += error * (shapes[i + 2][a].abs() + second * tangential);
+                let tangential = dual[0] * shapes[0].0[a].abs() + dual[1] * shapes[1].0[a].abs();
+                bound[a] += error * (shapes[i + 2].0[a].abs() + second * tangential);
             }
         }
     }

@@ -6,9 +6,9 @@ use ancf_solver::equations::State;
 use nalgebra::Vector3;
 
 use super::hermite::{Shape, VECTORS, bicubic, surface_derivatives};
+use super::laminates::to_orthonormal;
 use super::mesh::ShellMesh;
 use super::profile::{MEMBRANE, each_sample, lagrange, sum};
-use super::section::to_orthonormal;
 use super::surface_state::VOIGT;
 use super::surface_stress::SurfaceStress;
 
@@ -54,7 +54,7 @@ impl ElementStrains {
         });
         let shapes = surface_derivatives(at);
         let [a, u] = self.vectors.each_ref().map(|x| shapes.each_ref().map(|shape| sum(shape, x)));
-        let to_local = to_orthonormal(&a[0], &a[1]);
+        let to_local = to_orthonormal([&a[0], &a[1]], &a[0]);
         [to_local * strain, to_local * curvature(&a, &u)]
     }
 }
@@ -120,7 +120,17 @@ impl ShellMesh {
                 count += 1.0;
             }
         }
-        let section = &self.elements()[element].profile().medium.section;
-        SurfaceStress::new(section, sum[0] / count, sum[1] / count)
+        let medium = &self.elements()[element].profile().medium;
+        let direction = medium.axis.map_or([1.0, 0.0], |axis| self.direction(at, &axis));
+        SurfaceStress::new(&medium.section, direction, sum[0] / count, sum[1] / count)
+    }
+
+    /// Returns cosine and sine of the angle about the normal from r_,u to the projection of an axis, in the reference state.
+    fn direction(&self, at: [f64; 2], axis: &Vector3<f64>) -> [f64; 2] {
+        let [t, s] = [[1, 0], [0, 1]].map(|order| self.derivative(at, order).reference());
+        let e1 = t.normalize();
+        let components = [axis.dot(&e1), axis.dot(&t.cross(&s).normalize().cross(&e1))];
+        let length = components[0].hypot(components[1]);
+        components.map(|x| x / length)
     }
 }

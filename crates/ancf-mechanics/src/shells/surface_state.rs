@@ -1,7 +1,12 @@
 use nalgebra::Vector3;
 
-use super::hermite::{Shape, VECTORS};
-use super::profile::{BendingPoint, MEMBRANE, MembraneSample, POINTS, ShellProfile, ShellTables, sum};
+use pulp::{Arch, Simd, WithSimd};
+
+use super::hermite::VECTORS;
+use super::profile::{
+    BendingPoint, GRADIENTS, MEMBRANE, MembraneSample, POINTS, SHEARS, ShellProfile, ShellTables, TANGENTS,
+};
+use super::rows::{Row, add_sums};
 
 /// Strains, strain rates or stresses of an element: membrane components at the sampling points, bending at the integration points.
 #[derive(Clone, Copy, Debug)]
@@ -31,8 +36,6 @@ pub(crate) struct BentPoint {
     pub(crate) second: [Vector3<f64>; 3],
     pub(crate) tangents: [Vector3<f64>; 2],
     pub(crate) normal: Vector3<f64>,
-    /// |r_ξ × r_η|.
-    pub(crate) area: f64,
     /// Dual tangents a^ξ and a^η.
     pub(crate) dual: [Vector3<f64>; 2],
     /// Γ^γ_αβ = r_,αβ · a^γ.
@@ -57,24 +60,81 @@ impl BentPoint {
         let christoffel = second.map(|r| dual.map(|a| r.dot(&a)));
         let of = |k: usize| -VOIGT[k] * (u[k + 2].dot(&normal) + reference[k + 2].dot(&turned));
         let curvature = Vector3::new(of(0), of(1), of(2));
-        Self { second, tangents, normal, area, dual, christoffel, curvature }
+        Self { second, tangents, normal, dual, christoffel, curvature }
     }
 
     /// Returns c_αβ = N_,αβ − Γ^γ_αβ N_,γ with the factors of [`VOIGT`]: δκ_αβ = −n · Σ_a c_αβ,a δe_a.
-    pub(crate) fn gradients(&self, shapes: &[Shape; 5]) -> [Shape; 3] {
+    pub(crate) fn gradients(&self, shapes: &[Row; 5]) -> [Row; 3] {
         std::array::from_fn(|k| {
             let [along, across] = self.christoffel[k];
-            std::array::from_fn(|a| {
-                VOIGT[k] * (shapes[k + 2][a] - along * shapes[0][a] - across * shapes[1][a])
-            })
+            Row(std::array::from_fn(|a| {
+                VOIGT[k] * (shapes[k + 2].0[a] - along * shapes[0].0[a] - across * shapes[1].0[a])
+            }))
         })
     }
+}
+
+/// Displacement gradients of an element, or velocity gradients.
+struct Gradients([[Row; 3]; GRADIENTS]);
+
+impl Gradients {
+    fn new(tables: &ShellTables, x: &[Vector3<f64>; VECTORS]) -> Self {
+        struct Job<'a>(&'a ShellTables, &'a [Vector3<f64>; VECTORS], &'a mut Gradients);
+
+        impl WithSimd for Job<'_> {
+            type Output = ();
+
+            #[inline(always)]
+            fn with_simd<S: Simd>(self, simd: S) {
+                let Self(tables, x, gradients) = self;
+                for (sums, rows) in gradients.0.iter_mut().zip(&*tables.gradients) {
+                    add_sums(simd, VECTORS, |a| (x[a].into(), &rows[a]), sums);
+                }
+            }
+        }
+
+        let mut gradients = Self([[Row::ZERO; 3]; GRADIENTS]);
+        Arch::new().dispatch(Job(tables, x, &mut gradients));
+        gradients
+    }
+
+    /// Returns the derivatives at an integration point.
+    fn at_point(&self, k: usize) -> [Vector3<f64>; 5] {
+        std::array::from_fn(|g| self.0[g].each_ref().map(|row| row.0[k]).into())
+    }
+
+    /// Returns a tangent at a sampling point.
+    fn tangent(&self, r: usize) -> Vector3<f64> {
+        self.0[5 + r / VECTORS].each_ref().map(|row| row.0[r % VECTORS]).into()
+    }
+
+    /// Returns the derivatives by ξ and η that the membrane strain t contains. The other one is zero.
+    fn at_sample(&self, tables: &ShellTables, t: usize) -> [Vector3<f64>; 2] {
+        match tables.samples[t].component {
+            0 => [self.tangent(t), Vector3::zeros()],
+            1 => [Vector3::zeros(), self.tangent(t)],
+            _ => [self.tangent(t), self.tangent(t + SHEARS)],
+        }
+    }
+}
+
+/// Computes the areas |r_ξ × r_η| at the integration points.
+pub(crate) fn surface_areas(
+    tables: &ShellTables,
+    profile: &ShellProfile,
+    q: &[Vector3<f64>; VECTORS],
+) -> [f64; POINTS] {
+    let gradients = Gradients::new(tables, q);
+    std::array::from_fn(|k| {
+        let ([x, y, ..], [u, v, ..]) = (profile.points[k].reference, gradients.at_point(k));
+        (x + u).cross(&(y + v)).norm()
+    })
 }
 
 /// Surface of an element in a state.
 #[derive(Clone, Debug)]
 pub(crate) struct SurfaceState {
-    /// r_ξ and r_η at the sampling points.
+    /// r_ξ and r_η at the sampling points, as far as the strain contains them.
     pub(crate) samples: [[Vector3<f64>; 2]; MEMBRANE],
     pub(crate) points: [BentPoint; POINTS],
     pub(crate) strains: ShellStrains,
@@ -83,19 +143,18 @@ pub(crate) struct SurfaceState {
 impl SurfaceState {
     /// Evaluates an element with the displacements `q` of its nodal vectors.
     pub(crate) fn new(tables: &ShellTables, profile: &ShellProfile, q: &[Vector3<f64>; VECTORS]) -> Self {
+        let gradients = Gradients::new(tables, q);
         let mut strains = ShellStrains::ZERO;
         let samples = std::array::from_fn(|t| {
-            let MembraneSample { component, shapes, .. } = &tables.samples[t];
-            let [reference, u] = [profile.samples[t], shapes.each_ref().map(|shape| sum(shape, q))];
-            strains.membrane[t] = match component {
-                &k @ (0 | 1) => (reference[k] + u[k] * 0.5).dot(&u[k]),
+            let [reference, u] = [profile.samples[t], gradients.at_sample(tables, t)];
+            strains.membrane[t] = match tables.samples[t].component {
+                k @ (0 | 1) => (reference[k] + u[k] * 0.5).dot(&u[k]),
                 _ => reference[0].dot(&u[1]) + u[0].dot(&reference[1]) + u[0].dot(&u[1]),
             };
             [reference[0] + u[0], reference[1] + u[1]]
         });
         let points = std::array::from_fn(|k| {
-            let u = tables.points[k].each_ref().map(|shape| sum(shape, q));
-            let point = BentPoint::new(&profile.points[k], &u);
+            let point = BentPoint::new(&profile.points[k], &gradients.at_point(k));
             strains.bending[k] = point.curvature;
             point
         });
@@ -104,17 +163,17 @@ impl SurfaceState {
 
     /// Computes the strain rates B(q) v.
     pub(crate) fn rates(&self, tables: &ShellTables, v: &[Vector3<f64>; VECTORS]) -> ShellStrains {
-        let mut rates = ShellStrains::ZERO;
+        let (mut rates, gradients) = (ShellStrains::ZERO, Gradients::new(tables, v));
         for (t, [a, b]) in self.samples.iter().enumerate() {
-            let MembraneSample { component, shapes, .. } = &tables.samples[t];
-            rates.membrane[t] = match component {
-                0 => a.dot(&sum(&shapes[0], v)),
-                1 => b.dot(&sum(&shapes[1], v)),
-                _ => a.dot(&sum(&shapes[1], v)) + b.dot(&sum(&shapes[0], v)),
+            let [x, y] = gradients.at_sample(tables, t);
+            rates.membrane[t] = match tables.samples[t].component {
+                0 => a.dot(&x),
+                1 => b.dot(&y),
+                _ => a.dot(&y) + b.dot(&x),
             };
         }
         for (k, point) in self.points.iter().enumerate() {
-            let u = tables.points[k].each_ref().map(|shape| sum(shape, v));
+            let u = gradients.at_point(k);
             let [x, y] = [u[0].dot(&point.normal), u[1].dot(&point.normal)];
             let of = |i: usize| {
                 let [along, across] = point.christoffel[i];
@@ -125,47 +184,73 @@ impl SurfaceState {
         rates
     }
 
-    /// Adds the forces B(q)ᵀ σ of stresses on the nodal vectors.
-    pub(crate) fn distribute(
+    /// Computes the forces B(q)ᵀ σ of stresses on the nodal vectors, and Mᵀ a of the given vectors a.
+    pub(crate) fn forces(
         &self,
-        tables: &ShellTables,
+        (tables, profile): (&ShellTables, &ShellProfile),
         stress: &ShellStrains,
-        force: &mut [Vector3<f64>; VECTORS],
-    ) {
-        for (t, [a, b]) in self.samples.iter().enumerate() {
-            let (MembraneSample { component, shapes: [x, y], .. }, n) =
-                (&tables.samples[t], stress.membrane[t]);
-            let (along, across) = match component {
-                0 => (a * n, Vector3::zeros()),
-                1 => (Vector3::zeros(), b * n),
-                _ => (b * n, a * n),
-            };
-            for (i, force) in force.iter_mut().enumerate() {
-                *force += along * x[i] + across * y[i];
+        moved: &[Vector3<f64>; VECTORS],
+    ) -> [Vector3<f64>; VECTORS] {
+        struct Job<'a> {
+            factors: &'a Factors,
+            moved: &'a [Vector3<f64>; VECTORS],
+            of: (&'a ShellTables, &'a ShellProfile),
+            sums: &'a mut [Row; 3],
+        }
+
+        impl WithSimd for Job<'_> {
+            type Output = ();
+
+            #[inline(always)]
+            fn with_simd<S: Simd>(self, simd: S) {
+                let Self { factors, moved, of: (tables, profile), sums } = self;
+                add_sums(simd, VECTORS, |a| (moved[a].into(), &profile.mass[a]), sums);
+                add_sums(simd, TANGENTS, |r| (factors.tangents[r], &tables.tangents[r]), sums);
+                let point = |r: usize| (factors.points[r / 5][r % 5], &tables.points[r / 5][r % 5]);
+                add_sums(simd, 5 * POINTS, point, sums);
+            }
+        }
+
+        let mut sums = [Row::ZERO; 3];
+        let factors = self.force_factors(tables, stress);
+        Arch::new().dispatch(Job { factors: &factors, moved, of: (tables, profile), sums: &mut sums });
+        std::array::from_fn(|a| sums.each_ref().map(|row| row.0[a]).into())
+    }
+
+    /// Returns the forces of stresses on the tangents and second derivatives.
+    fn force_factors(&self, tables: &ShellTables, stress: &ShellStrains) -> Factors {
+        let mut factors = Factors { tangents: [[0.0; 3]; TANGENTS], points: [[[0.0; 3]; 5]; POINTS] };
+        for (t, ([a, b], n)) in self.samples.iter().zip(&stress.membrane).enumerate() {
+            let (along, across) = ((a * *n).into(), (b * *n).into());
+            match tables.samples[t].component {
+                0 => factors.tangents[t] = along,
+                1 => factors.tangents[t] = across,
+                _ => (factors.tangents[t], factors.tangents[t + SHEARS]) = (across, along),
             }
         }
         for (k, point) in self.points.iter().enumerate() {
-            let (m, shapes) = (&stress.bending[k], &tables.points[k]);
+            let m = &stress.bending[k];
             let weights: [f64; 3] = std::array::from_fn(|i| VOIGT[i] * m[i]);
             let [x, y] =
                 [0, 1].map(|g| -> f64 { (0..3).map(|i| weights[i] * point.christoffel[i][g]).sum() });
-            for (a, force) in force.iter_mut().enumerate() {
-                let c = weights[0] * shapes[2][a] + weights[1] * shapes[3][a] + weights[2] * shapes[4][a]
-                    - x * shapes[0][a]
-                    - y * shapes[1][a];
-                *force -= point.normal * c;
-            }
+            let of = [x, y, -weights[0], -weights[1], -weights[2]];
+            factors.points[k] = of.map(|factor| (point.normal * factor).into());
         }
+        factors
     }
+}
+
+/// Forces on the tangents at the sampling points and on the derivatives at the integration points.
+struct Factors {
+    tangents: [[f64; 3]; TANGENTS],
+    points: [[[f64; 3]; 5]; POINTS],
 }
 
 impl ShellProfile {
     /// Computes the stresses D ε, integrated with the weights of the points.
     pub(crate) fn stress(&self, tables: &ShellTables, strains: &ShellStrains) -> ShellStrains {
-        let mut stress = ShellStrains::ZERO;
-        for (n, row) in stress.membrane.iter_mut().zip(&*self.membrane) {
-            *n = row.iter().zip(&strains.membrane).map(|(d, strain)| d * strain).sum();
-        }
+        let mut stress =
+            ShellStrains { membrane: self.membrane.stress(&strains.membrane), ..ShellStrains::ZERO };
         for (k, point) in self.points.iter().enumerate() {
             stress.bending[k] = point.bending * strains.bending[k];
             if self.is_coupled {

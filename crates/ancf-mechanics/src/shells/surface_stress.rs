@@ -1,13 +1,14 @@
 use nalgebra::Vector3;
 
-use super::section::ShellSection;
+use super::laminates::{ShellSection, strain_transform};
 
 /// Names of the surfaces at which stresses are computed: at +h/2 along the normal, in the middle, and at −h/2.
 pub const LAYERS: [&str; 3] = ["top", "middle", "bottom"];
 
 /// Strains, resultants and stresses of a shell at a point.
 ///
-/// Components are (11, 22, 12) in the orthonormal frame of the reference surface: e₁ along r_,u, e₂ = n × e₁. Stresses are of
+/// Components are (11, 22, 12) in the orthonormal frame of the reference surface: e₁ along r_,u, e₂ = n × e₁, also if the fibres of
+/// a laminate refer to another axis. Stresses are of
 /// second Piola-Kirchhoff, which rotations leave unchanged. For small strains they are those in the frame that rotates with the surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SurfaceStress {
@@ -24,14 +25,26 @@ pub struct SurfaceStress {
 }
 
 impl SurfaceStress {
-    /// Computes resultants and stresses by the law of a section.
-    pub(crate) fn new(section: &ShellSection, strain: Vector3<f64>, curvature: Vector3<f64>) -> Self {
+    /// Computes resultants and stresses by the law of a section, whose first direction has the given cosine and sine in (e₁, e₂).
+    ///
+    /// The stresses of a laminate are those of the ply at each surface; those in the middle are the means of both plies if it is
+    /// the boundary of two.
+    pub(crate) fn new(
+        section: &ShellSection,
+        [cos, sin]: [f64; 2],
+        strain: Vector3<f64>,
+        curvature: Vector3<f64>,
+    ) -> Self {
+        let to_section = strain_transform([[cos, sin], [-sin, cos]]);
+        let [own, bent] = [to_section * strain, to_section * curvature];
+        // The transposed matrix transforms the components of stresses.
+        let back = |stress: Vector3<f64>| to_section.transpose() * stress;
         Self {
             strain,
             curvature,
-            force: section.membrane * strain + section.coupling * curvature,
-            moment: section.coupling * strain + section.bending * curvature,
-            layers: section.layer_stresses(&strain, &curvature),
+            force: back(section.membrane * own + section.coupling * bent),
+            moment: back(section.coupling * own + section.bending * bent),
+            layers: section.surfaces.map(|at| back(at.stiffness * (own + bent * at.height))),
         }
     }
 
@@ -40,7 +53,7 @@ impl SurfaceStress {
         self.layers.map(|s| (s.x * s.x - s.x * s.y + s.y * s.y + 3.0 * s.z * s.z).sqrt())
     }
 
-    /// Returns the larger equivalent stress of both faces.
+    /// Returns the larger equivalent stress of both faces. Inner plies of a laminate may have a larger one.
     pub fn largest_von_mises(&self) -> f64 {
         let [top, _, bottom] = self.von_mises();
         top.max(bottom)
@@ -58,16 +71,5 @@ impl SurfaceStress {
     /// Returns the strain energy per area, ½ (n·ε + m·κ).
     pub fn energy(&self) -> f64 {
         0.5 * (self.force.dot(&self.strain) + self.moment.dot(&self.curvature))
-    }
-}
-
-impl ShellSection {
-    /// Computes the stresses at the surfaces [`LAYERS`] of a homogeneous section: C (ε + z κ) at z = h/2, 0, −h/2.
-    ///
-    /// Its matrices are A = C h and D = C h³/12.
-    pub fn layer_stresses(&self, strain: &Vector3<f64>, curvature: &Vector3<f64>) -> [Vector3<f64>; 3] {
-        let thickness = (12.0 * self.bending[(0, 0)] / self.membrane[(0, 0)]).sqrt();
-        let stress = |height: f64| self.membrane * (strain + curvature * (height * thickness)) / thickness;
-        [0.5, 0.0, -0.5].map(stress)
     }
 }

@@ -3,7 +3,7 @@
 use ancf_mechanics::bodies::{BeamMesh, BodyTerms, MeshParameters};
 use ancf_mechanics::elements::{BeamMaterial, RigidBody};
 use ancf_mechanics::kinematics::Attachment;
-use ancf_mechanics::shells::{ShellMedium, ShellMesh, ShellSection};
+use ancf_mechanics::shells::{ShellMedium, ShellMesh};
 use nalgebra::Vector3;
 
 use crate::model::{Beam, Body, IndexedModel, MaterialLaw, Place, Shell};
@@ -34,11 +34,10 @@ impl IndexedModel<'_> {
     }
 
     fn shell(&self, shell: &Shell, first: usize) -> ShellMesh {
-        let material = &self.materials[&shell.material];
-        let section =
-            ShellSection::isotropic(material.young, material.poisson, material.density, shell.thickness);
+        let material = &self.materials[shell.layers()[0].0];
         let medium = ShellMedium {
-            section,
+            section: self.laminate(shell).section(),
+            axis: shell.fibre_axis.map(Vector3::from),
             retardation: material.damping.strain,
             mass_damping: material.damping.mass,
             gravity: Vector3::from(self.gravity),

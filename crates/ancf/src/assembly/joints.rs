@@ -1,5 +1,7 @@
 //! Joints and couplings of a model as equations.
 
+use std::cell::RefCell;
+
 use ancf_mechanics::bodies::BodyTerms;
 use ancf_mechanics::constraints::{BilinearMeasure as Measured, MeasureConstraint};
 use ancf_mechanics::kinematics::{Attachment, ElementAxis};
@@ -8,7 +10,7 @@ use nalgebra::Vector3;
 
 use crate::joints::{
     Coupled, Coupling, End, Gap, Ground, Joint, JointBuilder, JointCoordinate, JointEnds, JointEquations,
-    JointKind, Numbering,
+    JointKind, LinearRows, Numbering,
 };
 use crate::model::{Body, IndexedModel, Place, TimeMode};
 
@@ -27,10 +29,11 @@ impl IndexedModel<'_> {
         time_mode: TimeMode,
     ) -> Vec<JointEquations> {
         let [mut coordinate, mut multiplier] = Self::numbers(bodies, &[]);
+        let edge_rows = RefCell::default();
         let equations = self.joints.iter().enumerate().map(|(number, joint)| {
             let coupled = |coordinate| self.is_coupled(number, coordinate);
             let numbering = Numbering { coordinate, multiplier, time_mode };
-            let equations = self.equations_of(joint.kind(), bodies, numbering, &coupled);
+            let equations = self.equations_of(joint.kind(), (bodies, &edge_rows), numbering, &coupled);
             (coordinate, multiplier) = (equations.coordinates.end, equations.multipliers.end);
             equations.with_gap(self.gap(joint))
         });
@@ -41,7 +44,7 @@ impl IndexedModel<'_> {
     fn equations_of(
         &self,
         joint: &dyn JointKind,
-        bodies: &[(String, BodyTerms)],
+        (bodies, edge_rows): (&[(String, BodyTerms)], &RefCell<LinearRows>),
         numbering: Numbering,
         coupled: &dyn Fn(JointCoordinate) -> bool,
     ) -> JointEquations {
@@ -64,7 +67,9 @@ impl IndexedModel<'_> {
             End::Ground | End::Point(_) => self.is_continuum(place),
         };
         let shell = bodies[self.body_of(place)].1.shell();
-        let ends = JointEnds { a: &a, b: &b, stated, beam, shell, all_gradients };
+        let other_shell =
+            if let End::Place(place) = stated { bodies[self.body_of(place)].1.shell() } else { None };
+        let ends = JointEnds { a: &a, b: &b, stated, beam, shell, other_shell, edge_rows, all_gradients };
         let mut builder = JointBuilder::new(joint.name(), ends, numbering, coupled);
         joint.build(&mut builder);
         builder.finish()

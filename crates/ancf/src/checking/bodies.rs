@@ -3,9 +3,10 @@
 use ancf_mechanics::elements::is_physical_inertia;
 use nalgebra::Vector3;
 
-use super::findings::{COINCIDENT, is_direction, no_direction, unknown};
-use crate::errors::{Finding, finding, number};
+use super::findings::COINCIDENT;
+use crate::errors::{Finding, finding, is_direction, no_direction, number};
 use crate::model::{Beam, Body, IndexedModel, MaterialLaw, Shape, beams_of, bodies_of};
+use crate::schema::unknown;
 
 /// Checks that sections and materials exist, that the axis is a curve, and that `up` is not parallel to it.
 pub(crate) fn bodies(model: &IndexedModel<'_>) -> Vec<Finding> {

@@ -2,8 +2,8 @@
 
 use ancf_mechanics::contact::ObstacleShape;
 
-use super::findings::{body, is_direction, no_direction, rule_of_place, unknown_body};
-use crate::errors::{Finding, finding, number, quoted};
+use super::findings::{body, rule_of_place, unknown_body};
+use crate::errors::{Finding, finding, is_direction, no_direction, number, quoted};
 use crate::model::{Body, Contact, IndexedModel, ObstacleKind, bodies_of};
 
 /// Checks that bodies exist and have a radius, and that obstacles have a direction and a carrier with directions.

@@ -3,24 +3,13 @@
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
 
-use nalgebra::Vector3;
-
-use crate::errors::{Finding, ModelError, finding, listed, nearest, number, quoted};
+use crate::errors::{Finding, finding, number, quoted};
 use crate::joints::End;
 use crate::model::{At, Body, IndexedModel, NamedPosition, ON_AXIS, Place, bodies_of, joints_of, loads_of};
-use crate::schema::did_you_mean;
+use crate::schema::unknown;
 
 /// Largest distance of the ends of a joint, relative to the longer body.
 pub(crate) const COINCIDENT: f64 = 1e-6;
-
-/// True if a vector has a direction: its norm is a normal number.
-pub(crate) fn is_direction(vector: [f64; 3]) -> bool {
-    Vector3::from(vector).norm().is_normal()
-}
-
-pub(crate) fn no_direction(path: String, vector: [f64; 3]) -> Finding {
-    finding(path, format!("a vector of length {}", number(Vector3::from(vector).norm())), "a direction")
-}
 
 /// Findings for names that are not unique, or unfit for columns.
 pub(super) fn rule_of_names(names: Vec<(String, &str)>) -> Vec<Finding> {
@@ -47,20 +36,6 @@ pub(super) fn rule_of_names(names: Vec<(String, &str)>) -> Vec<Finding> {
         Some(finding(format!("{path}.name"), found, expected).rests_on([format!("{first}.name")]))
     });
     spaced.chain(twice).collect()
-}
-
-/// Finding for an unknown name.
-pub(crate) fn unknown(path: String, noun: &str, name: &str, names: Vec<&str>) -> Finding {
-    let article = if noun.starts_with('i') { "an" } else { "a" };
-    let expected = match names.len() {
-        0 => format!("the name of {article} {noun}, but there is none"),
-        1..=8 => {
-            format!("the name of {article} {noun}: {}", listed(names.iter().map(|name| quoted(name)), "or"))
-        }
-        n => format!("the name of one of the {n} {noun}s"),
-    };
-    let error = ModelError::new(path, quoted(name), expected);
-    Finding { absence: true, ..did_you_mean(error, nearest(name, names).map(quoted)).into() }
 }
 
 /// Places of joints, loads and probes with their paths.

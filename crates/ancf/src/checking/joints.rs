@@ -3,10 +3,11 @@
 use ancf_solver::equations::LOCAL;
 use nalgebra::Vector3;
 
-use super::findings::{COINCIDENT, body, is_direction, no_direction, unknown};
-use crate::errors::{Finding, finding, number, quoted};
+use super::findings::{COINCIDENT, body};
+use crate::errors::{Finding, finding, is_direction, no_direction, number, quoted};
 use crate::joints::{Coupled, End, Joint, JointActions, JointCoordinate};
 use crate::model::{IndexedModel, TimeFunction, Varying, joints_of};
+use crate::schema::unknown;
 
 /// Checks that axes are directions.
 pub(crate) fn axes(model: &IndexedModel<'_>) -> Vec<Finding> {

@@ -6,10 +6,11 @@ use ancf_mechanics::functions::{ExpressionError, InputSignal};
 use ancf_mechanics::laws::{ForceLaw as _, LawState, is_law_name};
 use nalgebra::Vector3;
 
-use super::findings::{COINCIDENT, body, rule_of_names, unknown};
+use super::findings::{COINCIDENT, body, rule_of_names};
 use crate::errors::{Finding, finding, number, quoted};
 use crate::joints::{End, Joint};
 use crate::model::{IndexedModel, Input, JointLaw, LawUse, Model, TimeFunction, Varying, joints_of};
+use crate::schema::unknown;
 
 /// Checks that functions of time are defined: tables in ascending order, intervals not empty, valid formulas.
 pub(crate) fn functions(model: &IndexedModel<'_>) -> Vec<Finding> {

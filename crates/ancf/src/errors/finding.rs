@@ -1,4 +1,7 @@
+use nalgebra::Vector3;
+
 use super::error::ModelError;
+use super::words::number;
 
 /// Error of a model, with the conditions under which it is reported.
 #[derive(Debug)]
@@ -37,4 +40,14 @@ impl Finding {
     pub fn rests_on(self, paths: impl IntoIterator<Item = String>) -> Self {
         Self { rests_on: paths.into_iter().collect(), ..self }
     }
+}
+
+/// True if a vector has a direction: its norm is a normal number.
+pub(crate) fn is_direction(vector: [f64; 3]) -> bool {
+    Vector3::from(vector).norm().is_normal()
+}
+
+/// Finding for a vector without direction.
+pub(crate) fn no_direction(path: String, vector: [f64; 3]) -> Finding {
+    finding(path, format!("a vector of length {}", number(Vector3::from(vector).norm())), "a direction")
 }

@@ -15,7 +15,7 @@ use super::universal::Universal;
 use crate::joints::elastic::{Bushing, PointSpring};
 use crate::joints::general::{Generic, MatrixBushing};
 use crate::joints::parts::{ClampedGradients, CustomJoint, End, JointKind};
-use crate::joints::surface::Support;
+use crate::joints::surface::{Seam, Support};
 use crate::model::{Place, TimeFunction};
 use crate::units::Scaled;
 
@@ -79,6 +79,7 @@ joint_kinds! {
     Generic(Generic),
     MatrixBushing(MatrixBushing),
     Support(Support),
+    Seam(Seam),
 }
 
 impl Joint {

@@ -33,12 +33,12 @@ pub use parts::{
     JointKind, JointObject, JointSymbol, JointTerm, LinearDrive, LinearFriction, LinearSpring, LinearStops,
     PrescribedMotion, RecordedCoordinate,
 };
-pub(crate) use parts::{Gap, JointEnds, JointEquations, Numbering};
+pub(crate) use parts::{Gap, JointEnds, JointEquations, LinearRows, Numbering};
 pub use planar::Planar;
 pub use point_on_line::PointOnLine;
 pub use prismatic::Prismatic;
 pub use revolute::Revolute;
 pub use slide::Slide;
 pub use spherical::Spherical;
-pub use surface::{Support, SupportCondition, SupportedAxis};
+pub use surface::{Seam, SeamCondition, Support, SupportCondition, SupportedAxis};
 pub use universal::Universal;

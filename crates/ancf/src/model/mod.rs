@@ -21,13 +21,13 @@ pub use analyses::{
 };
 pub use bodies::{
     At, Beam, Body, BodySurface, Cable, Capability, DisplayShape, EdgeName, EdgePlace, Formulation,
-    InitialMotion, NamedPosition, Place, PointMass, Rigid, Shape, Shell, ShellSurface, Slopes,
+    InitialMotion, Layer, NamedPosition, Place, PointMass, Rigid, Shape, Shell, ShellSurface, Slopes,
 };
 pub use contacts::{Contact, ContactSurface, Cylinder, ObstacleKind, Plane, Sphere};
 pub use functions::{Input, JointLaw, LawKind, LawUse, TimeFunction, Varying};
 pub use sections::{
-    Circle, CustomSection, Damping, Ellipse, GeneralSection, Material, MaterialLaw, OutlineCurve, Rectangle,
-    Section, SectionObject, SectionOutline, SectionShape, Tube,
+    Circle, CustomSection, Damping, Ellipse, GeneralSection, Material, MaterialLaw, Orthotropic,
+    OutlineCurve, Rectangle, Section, SectionObject, SectionOutline, SectionShape, Tube,
 };
 
 pub use crate::errors::{ModelError, ModelErrors, Position};
@@ -35,7 +35,7 @@ pub use crate::joints::{
     AngularDrive, AngularFriction, AngularSpring, AngularStops, Bushing, Clamp, ClampedGradients, Coupled,
     Coupling, Cylindrical, DirectionMotion, Distance, DrivenClamp, End, Generic, Ground, Joint,
     JointCoordinate, LinearDrive, LinearFriction, LinearSpring, LinearStops, MatrixBushing, Planar,
-    PointOnLine, PointSpring, Prismatic, Revolute, Slide, Spherical, Support, SupportCondition,
+    PointOnLine, PointSpring, Prismatic, Revolute, Seam, SeamCondition, Slide, Spherical, Support, SupportCondition,
     SupportedAxis, Universal,
 };
 pub use crate::loads::{

@@ -4,6 +4,7 @@ use std::borrow::Cow;
 
 use ancf_mechanics::contact::ObstacleShape;
 use ancf_mechanics::functions::InputSignal;
+use ancf_mechanics::shells::{Laminate, Ply};
 
 use crate::joints::Joint;
 use crate::loads::Load;
@@ -31,9 +32,18 @@ impl Model {
         let mass = |body: &Body| match body {
             Body::Rigid(Rigid { mass, .. }) | Body::Mass(PointMass { mass, .. }) => *mass,
             Body::Beam(_) | Body::Cable(_) => self.line_mass(body),
-            Body::Shell(shell) => self.materials[&shell.material].density * shell.thickness * shell.area(),
+            Body::Shell(shell) => self.laminate(shell).section().density * shell.area(),
         };
         self.bodies.iter().map(mass).sum()
+    }
+
+    /// Layers of a shell of a valid model.
+    pub fn laminate(&self, shell: &Shell) -> Laminate {
+        let ply = |(material, thickness, angle): (&str, f64, f64)| {
+            let material = &self.materials[material];
+            Ply { elasticity: material.ply(), density: material.density, thickness, angle }
+        };
+        Laminate::new(shell.layers().into_iter().map(ply).collect())
     }
 
     /// Mass of a flexible body. Simpson's rule is exact, since areas are at most quadratic along the axis.

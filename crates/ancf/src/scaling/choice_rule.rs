@@ -59,13 +59,13 @@ impl Model {
         let shell = shells_of(self).max_by(|(_, a), (_, b)| a.extent().total_cmp(&b.extent()));
         if let Some((_, shell)) = shell {
             let length = shell.extent();
-            let material = &self.materials[&shell.material];
+            let section = self.laminate(shell).section();
             return ReferenceQuantities {
                 name: format!("the largest shell, `{}`", shell.name),
                 length,
-                line_mass: material.density * shell.thickness * shell.area() / length,
-                force: material.young * shell.thickness.powi(3) / (12.0 * length),
-                force_formula: "E h3/(12 L)",
+                line_mass: section.density * shell.area() / length,
+                force: section.bending[(0, 0)].max(section.bending[(1, 1)]) / length,
+                force_formula: "D/L",
             };
         }
         let name = "the whole model".into();

@@ -6,6 +6,7 @@ mod number_arrays;
 mod schema_check;
 mod syntax;
 mod units;
+mod unknown;
 
 pub(crate) use address::{PathStep, path_of, path_steps};
 pub(crate) use generate::{SCHEMA, forms, found, keys, kind, tag};
@@ -13,3 +14,4 @@ pub use generate::{schema, schema_text};
 pub use schema_check::join;
 pub(crate) use schema_check::{SchemaCheck, did_you_mean};
 pub(crate) use syntax::{Document, position};
+pub(crate) use unknown::unknown;

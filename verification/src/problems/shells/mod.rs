@@ -2,12 +2,20 @@
 
 mod bending;
 mod curved;
+mod large;
 mod models;
 mod motions;
 mod plates;
+mod snap;
 
 use crate::Problem;
 
 /// Problems of plates and shells.
-pub(super) const FAMILIES: [&[Problem]; 4] =
-    [bending::PROBLEMS, curved::PROBLEMS, plates::PROBLEMS, motions::PROBLEMS];
+pub(super) const FAMILIES: [&[Problem]; 6] = [
+    bending::PROBLEMS,
+    curved::PROBLEMS,
+    plates::PROBLEMS,
+    motions::PROBLEMS,
+    large::PROBLEMS,
+    snap::PROBLEMS,
+];

@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use crate::SolvedModel;
+
 /// Shell of a model.
 pub(super) struct ShellModel<'a> {
     /// Surface, as in a model file.
@@ -50,4 +52,9 @@ pub(super) fn edge_load(kind: &str, edge: &str, key: &str, load: [f64; 3]) -> St
 /// Probe of a point.
 pub(super) fn probe(name: &str, at: [f64; 2]) -> String {
     format!("[[probes]]\nname = \"{name}\"\non = {{ body = \"s\", at = {at:?} }}\n")
+}
+
+/// Numbers of increments and Newton iterations of a solution.
+pub(super) fn increments(solved: &SolvedModel) -> String {
+    format!("{} and {}", solved.summary.steps, solved.summary.iterations)
 }

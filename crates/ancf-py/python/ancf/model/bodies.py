@@ -29,6 +29,7 @@ __all__ = [
     "Formulation",
     "Helix",
     "InitialMotion",
+    "Layer",
     "PointMass",
     "RevolvedSurface",
     "RigidBody",
@@ -171,6 +172,31 @@ SlopeCoordinates: TypeAlias = Literal["gradient", "length"]
 
 @checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
+class Layer(Part):
+    """Layer of a shell, such as a ply of a laminate.
+
+    Attributes
+    ----------
+    angle
+        Angle of the fibres about the normal, in radians, from the direction of u or the projection of
+        ``fibre_axis``. Default: ``0.0``.
+    material
+        Name of the material, a key of ``materials``; that of the shell by default.
+    thickness
+        Thickness, length. By default all layers are equally thick. Given thicknesses sum up to the thickness
+        of the shell (> 0).
+
+    """
+
+    _form = "Layer"
+
+    angle: float | None = None
+    material: str | None = None
+    thickness: float | None = None
+
+
+@checked_arguments
+@dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class FlatSurface(Part):
     """Rectangle or parallelogram.
 
@@ -201,7 +227,7 @@ class RevolvedSurface(Part):
 
     Part of a cylinder, a cone or an annulus. u is along the rotation, v along the line.
 
-    The edges of a full turn are not connected.
+    The edges of a full turn are connected by a seam only.
 
     Attributes
     ----------
@@ -563,6 +589,10 @@ class Shell(Surface):
         Thickness, length (> 0).
     material
         Name of the material, a key of ``materials``. Or the material itself.
+    fibre_axis
+        Axis whose projection on the surface has the fibre angle zero; by default the direction of u.
+    layers
+        Layers from the lower to the upper side in the direction of the normal; by default a single one.
     motion
         Initial velocities in dynamics; at rest by default.
 
@@ -580,6 +610,8 @@ class Shell(Surface):
     elements: Sequence[int]
     thickness: float
     material: str | Material
+    fibre_axis: Vector | None = None
+    layers: Sequence[Layer] | None = None
     motion: InitialMotion | None = None
 
 

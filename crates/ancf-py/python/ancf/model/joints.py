@@ -38,6 +38,8 @@ __all__ = [
     "PrescribedMotion",
     "Prismatic",
     "Revolute",
+    "Seam",
+    "SeamCondition",
     "SlidingJoint",
     "Spherical",
     "Support",
@@ -79,6 +81,14 @@ SupportCondition: TypeAlias = Literal["clamped", "hinged", "guided", "symmetry"]
 * ``"guided"``: Displacements along ``axes``, as at a diaphragm.
 * ``"symmetry"``: Symmetry with respect to the plane of the edge: displacements normal to the plane and
   rotations about the edge are zero.
+"""
+
+SeamCondition: TypeAlias = Literal["rigid", "hinged"]
+"""Rotations of a seam.
+
+* ``"rigid"``: The angle of both surfaces along the seam is constant: smooth surfaces stay smooth, kinks keep
+  their angle.
+* ``"hinged"``: The surfaces rotate freely about the seam.
 """
 
 
@@ -542,7 +552,7 @@ class MatrixBushing(Part):
 @checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Support(Part):
-    """Support of an edge or of a node of a shell by the ground.
+    """Support of an edge or of a node of a shell by the ground, or of an edge by a rigid body.
 
     The normal of a Kirchhoff-Love shell rotates about an edge by the slope across it. Stretches stay free.
 
@@ -557,6 +567,8 @@ class Support(Part):
         Constrained motions. One of ``"clamped"``, ``"hinged"``, ``"guided"``, ``"symmetry"``.
     axes
         Global axes along which displacements are zero, for ``condition = "guided"``.
+    b
+        Rigid body with which the edge moves, at any of its places; the ground by default.
 
     """
 
@@ -568,6 +580,37 @@ class Support(Part):
     a: Place
     condition: SupportCondition
     axes: Sequence[SupportedAxis] | None = None
+    b: JointEnd | None = None
+
+
+@checked_arguments
+@dataclass(kw_only=True, slots=True, eq=False, repr=False)
+class Seam(Part):
+    """Seam of two edges of shells, or of two edges of one shell such as a closed cylinder.
+
+    Both edges have the same points and the same number of elements.
+
+    Attributes
+    ----------
+    name
+        Name in outputs and messages.
+    a
+        Edge of a shell, on which the reaction acts. Its moments refer to the middle of the edge.
+    b
+        Edge of another shell, or another edge of the same one.
+    condition
+        Rotations about the seam. One of ``"rigid"``, ``"hinged"``. Default: ``"rigid"``.
+
+    """
+
+    _form = "Joint"
+    _tag = "kind"
+    kind: ClassVar[Literal["seam"]] = "seam"
+
+    name: str = field(kw_only=False)
+    a: Place
+    b: JointEnd
+    condition: SeamCondition | None = None
 
 
 Joint: TypeAlias = (
@@ -587,6 +630,7 @@ Joint: TypeAlias = (
     | Generic
     | MatrixBushing
     | Support
+    | Seam
 )
 """Joint between a body and the ground or another body.
 

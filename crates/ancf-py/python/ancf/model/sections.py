@@ -17,6 +17,7 @@ __all__ = [
     "GeneralSection",
     "Material",
     "MaterialLaw",
+    "Orthotropic",
     "Rectangle",
     "Section",
     "Tube",
@@ -55,8 +56,30 @@ MaterialLaw: TypeAlias = Literal["st_venant_kirchhoff", "neo_hookean"]
 
 @checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
+class Orthotropic(Part):
+    """Constants of an orthotropic material in plane stress, in addition to Young's modulus E_L along the
+    fibres and Poisson's ratio ν_LT of the contraction transverse to them. Both moduli have to satisfy ν_LT² <
+    E_L/E_T.
+
+    Attributes
+    ----------
+    young
+        Young's modulus E_T transverse to the fibres, force/area (> 0).
+    shear
+        Shear modulus G_LT, force/area (> 0).
+
+    """
+
+    _form = "Orthotropic"
+
+    young: float
+    shear: float
+
+
+@checked_arguments
+@dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Material(Shared):
-    """Isotropic elastic material with damping.
+    """Elastic material with damping. It is isotropic unless ``orthotropic`` is given.
 
     Attributes
     ----------
@@ -72,6 +95,8 @@ class Material(Shared):
     law
         Constitutive law. One of ``"st_venant_kirchhoff"``, ``"neo_hookean"``. Default:
         ``"st_venant_kirchhoff"``.
+    orthotropic
+        Constants transverse to fibres; ``young`` and ``poisson`` are then those along them. Only for shells.
     poisson
         Poisson's ratio ν, −1 < ν < 0.5; 0 by default (> -1, < 0.5).
 
@@ -83,6 +108,7 @@ class Material(Shared):
     young: float
     damping: Damping | None = None
     law: MaterialLaw | None = None
+    orthotropic: Orthotropic | None = None
     poisson: float | None = None
 
 

@@ -63,6 +63,13 @@ impl<'a> LocalMatrix<'a> {
         self.values[self.at(i, j)] += value;
     }
 
+    /// Returns the entries (j, j) to (n − 1, j) of column j.
+    #[inline]
+    pub fn column_mut(&mut self, j: usize) -> &mut [f64] {
+        let first = self.at(j, j);
+        &mut self.values[first..first + self.size - j]
+    }
+
     /// Returns entry (i, j), i ≥ j.
     pub fn get(&self, i: usize, j: usize) -> f64 {
         self.values[self.at(i, j)]

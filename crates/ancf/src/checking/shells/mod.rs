@@ -1,5 +1,6 @@
 //! Checks of shells.
 
+mod laminates;
 mod rules;
 
 pub(super) use rules::shells;

@@ -2,6 +2,7 @@
 
 use nalgebra::Vector3;
 
+use super::laminates;
 use crate::errors::{Finding, finding, number, quoted};
 use crate::joints::{ClampedGradients, End, Joint};
 use crate::loads::Load;
@@ -22,7 +23,9 @@ pub(crate) fn shells(model: &IndexedModel<'_>) -> Vec<Finding> {
     for (path, shell) in shells_of(model) {
         findings.extend(rule_of_material(model, &path, shell));
         findings.extend(rule_of_surface(&path, shell));
+        findings.extend(laminates::layers(model, &path, shell));
     }
+    findings.extend(laminates::materials(model));
     if shells_of(model).next().is_none() {
         return findings;
     }
@@ -133,8 +136,9 @@ fn rules_of_joint(model: &IndexedModel<'_>, path: &str, joint: &Joint) -> Vec<Fi
             return Some(finding(format!("{path}.fix"), "\"all\" on a shell", expected));
         }
         if matches!(place.at, At::Edge(_)) {
-            let expected = "a node [u, v]; edges have joints of kind \"support\"";
-            return (!matches!(joint, Joint::Support(_))).then(|| finding(key, "an edge", expected));
+            let expected = "a node [u, v]; edges have joints of kind \"support\" and \"seam\"";
+            return (!matches!(joint, Joint::Support(_) | Joint::Seam(_)))
+                .then(|| finding(key, "an edge", expected));
         }
         let at = place.at.on_surface()?;
         let off = |k: usize| {

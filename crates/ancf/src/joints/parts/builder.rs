@@ -1,10 +1,12 @@
+use std::cell::RefCell;
+use std::collections::BTreeMap;
 use std::fmt;
 use std::sync::Arc;
 
 use ancf_mechanics::bodies::normals_to;
 use ancf_mechanics::constraints::{
-    BilinearMeasure, CoincidenceConstraint, ConstantAngle, HingeAngle, MeasureConstraint, MeasureFactor,
-    MeasureTarget, RotationDrive, SectionDrive, SlideConstraint,
+    BilinearMeasure, CoincidenceConstraint, ConstantAngle, ConstrainedVector, HingeAngle, LinearConstraint,
+    MeasureConstraint, MeasureFactor, MeasureTarget, RotationDrive, SectionDrive, SlideConstraint,
 };
 use ancf_mechanics::forces::{CoordinateForce, Friction, Spring, Strut};
 use ancf_mechanics::functions::Function;
@@ -17,7 +19,7 @@ use super::actions::JointActions;
 use super::clamped_gradients::{ClampedGradients, reference};
 use super::coupling::JointCoordinate;
 use super::end::{End, Ground};
-use super::equations::{JointEquations, Part};
+use super::equations::{JointEquations, LinearRows, Part};
 use super::measures;
 use super::recorded_coordinate::{RecordedCoordinate, Source};
 use super::term::JointTerm;
@@ -33,6 +35,10 @@ pub(crate) struct JointEnds<'a> {
     pub(crate) beam: Option<(Vec<ElementAxis>, f64)>,
     /// Mesh of the first body, if it is a shell.
     pub(crate) shell: Option<&'a ShellMesh>,
+    /// Mesh of the second body, if it is a shell.
+    pub(crate) other_shell: Option<&'a ShellMesh>,
+    /// Linear equations of the edges of shells so far.
+    pub(crate) edge_rows: &'a RefCell<LinearRows>,
     /// Default of [`ClampedGradients`]: true for a beam of the continuum formulation on the ground, on a rigid body, or on another
     /// one with parallel sections. Elsewhere equal gradients would couple strains of different directions or laws.
     pub(crate) all_gradients: bool,
@@ -101,6 +107,44 @@ impl<'a> JointBuilder<'a> {
     /// Mesh of the first body, if it is a shell.
     pub fn shell(&self) -> Option<&'a ShellMesh> {
         self.ends.shell
+    }
+
+    /// Attachment of the second end, if it is a body.
+    pub(crate) fn base(&self) -> Option<&'a Attachment> {
+        matches!(self.ends.stated, End::Place(_)).then_some(self.ends.b)
+    }
+
+    /// Mesh of the second body, if it is a shell.
+    pub(crate) fn other_shell(&self) -> Option<&'a ShellMesh> {
+        self.ends.other_shell
+    }
+
+    /// Adds a linear equation of nodal vectors of the first body and of others, unless the equations of edges that share its nodes
+    /// imply it.
+    pub(crate) fn add_linear(
+        &mut self,
+        vectors: Vec<ConstrainedVector>,
+        others: Vec<ConstrainedVector>,
+        name: &'static str,
+    ) {
+        let about = self.a().point.linear().clone();
+        let equation = LinearConstraint::new(vectors, &about, self.equations.multipliers.end, name);
+        let equation = equation.with_others(others);
+        if self.is_new(equation.entries()) {
+            self.multipliers(1);
+            self.add(equation);
+        }
+    }
+
+    /// Registers that the product of two directions of a rigid body is constant, for equations of edges that this implies.
+    pub(crate) fn assume_constant(&self, a: &BodyVector, b: &BodyVector) {
+        self.is_new(BodyVector::product_gradient(a, b));
+    }
+
+    /// Registers an equation of edges with these factors of coordinates. Returns false if those before it imply it.
+    fn is_new(&self, factors: impl IntoIterator<Item = (usize, f64)>) -> bool {
+        let preferred = self.shell().map_or(0..0, ShellMesh::range);
+        self.ends.edge_rows.borrow_mut().add(factors, &preferred)
     }
 
     /// Function of time for the analysis: constant in statics, where loads and drives grow by the load factor.
@@ -176,6 +220,23 @@ impl<'a> JointBuilder<'a> {
         }
         let product = (1.0, MeasureFactor::Direction(&a), MeasureFactor::Other(&b));
         self.prescribe(name, BilinearMeasure::new([product]), MeasureTarget::NONE);
+    }
+
+    /// Constrains a sum of products of directions, of the first end and of the other one, to its reference value, unless the equations
+    /// of edges that share its nodes imply it.
+    pub(crate) fn keep_edge_angles(&mut self, products: &[(&BodyVector, &BodyVector)], name: &'static str) {
+        let mut gradient = BTreeMap::new();
+        for (coordinate, rate) in products.iter().flat_map(|(a, b)| BodyVector::product_gradient(a, b)) {
+            *gradient.entry(coordinate).or_insert(0.0) += rate;
+        }
+        if !self.is_new(gradient) {
+            return;
+        }
+        if let [(a, b)] = *products {
+            return self.keep_angle(a.clone(), b.clone(), Some(name));
+        }
+        let product = |&(a, b)| (1.0, MeasureFactor::Direction(a), MeasureFactor::Other(b));
+        self.prescribe(name, BilinearMeasure::new(products.iter().map(product)), MeasureTarget::NONE);
     }
 
     /// Constrains an axis of unit length of the first end to stay parallel to the same axis of the second end.

@@ -1,3 +1,4 @@
+use std::collections::{BTreeSet, HashMap};
 use std::fmt;
 use std::ops::Range;
 
@@ -119,5 +120,87 @@ impl JointEquations {
             }
         };
         (0..names.len()).map(number).collect()
+    }
+}
+
+/// Size of the remainder of a row, relative to it, below which earlier rows imply it.
+const IMPLIED: f64 = 1e-9;
+/// Size of a pivot, relative to the largest entry of its row, that is accepted in a preferred coordinate.
+const PIVOT: f64 = 1e-3;
+
+/// Linear equations of the edges of shells after elimination. Edges that meet at a corner state some equations twice.
+///
+/// Pivots are coordinates of shells where possible: rows of nodes on the same rigid body have no pivot in common, so that the work is
+/// proportional to their number.
+#[derive(Debug, Default)]
+pub(crate) struct LinearRows {
+    /// Pivot of each row, and the factors of the other coordinates for the factor 1 of the pivot.
+    rows: Vec<(usize, Vec<(usize, f64)>)>,
+    /// Row of each pivot.
+    of_pivot: HashMap<usize, usize>,
+}
+
+impl LinearRows {
+    /// Adds the equation with the given factors of coordinates, with a pivot in `preferred`. Returns false if earlier equations
+    /// imply it.
+    ///
+    /// The equations are homogeneous, so that those which depend on others do not contradict them.
+    pub(crate) fn add(
+        &mut self,
+        factors: impl IntoIterator<Item = (usize, f64)>,
+        preferred: &Range<usize>,
+    ) -> bool {
+        let mut row: HashMap<usize, f64> = factors.into_iter().collect();
+        let size = row.values().map(|x| x.abs()).fold(0.0, f64::max);
+        // A row contains pivots of later rows only.
+        let mut left: BTreeSet<usize> = row.keys().filter_map(|c| self.of_pivot.get(c)).copied().collect();
+        while let Some(next) = left.pop_first() {
+            let (pivot, others) = &self.rows[next];
+            let Some(factor) = row.remove(pivot) else { continue };
+            for (c, x) in others {
+                let entry = row.entry(*c).or_insert(0.0);
+                *entry -= factor * x;
+                if entry.abs() < f64::EPSILON * size {
+                    row.remove(c);
+                } else {
+                    left.extend(self.of_pivot.get(c));
+                }
+            }
+        }
+        let largest = |row: &HashMap<usize, f64>, all: bool| {
+            let own = row.iter().filter(|(c, _)| all || preferred.contains(c));
+            own.map(|(c, x)| (*c, x.abs())).max_by(|a, b| a.1.total_cmp(&b.1).then(b.0.cmp(&a.0)))
+        };
+        let Some((any, rest)) = largest(&row, true) else { return false };
+        if rest.is_nan() || rest < IMPLIED * size {
+            return false;
+        }
+        let own = largest(&row, false).filter(|(_, x)| *x > PIVOT * rest);
+        let pivot = own.map_or(any, |(c, _)| c);
+        let factor = row.remove(&pivot).unwrap_or(1.0);
+        let others = row.into_iter().filter(|(_, x)| x.abs() > f64::EPSILON * rest);
+        self.of_pivot.insert(pivot, self.rows.len());
+        self.rows.push((pivot, others.map(|(c, x)| (c, x / factor)).collect()));
+        true
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn implied_rows_are_found() {
+        for preferred in [0..0, 0..2, 1..9] {
+            let mut rows = LinearRows::default();
+            let mut add = |row: &[(usize, f64)]| rows.add(row.iter().copied(), &preferred);
+            assert!(add(&[(0, 3.0), (1, 4.0)]));
+            assert!(add(&[(1, 1.0), (2, -1.0)]));
+            assert!(!add(&[(0, 6.0), (1, 9.0), (2, -1.0)]));
+            assert!(add(&[(0, 1.0)]));
+            assert!(!add(&[(2, 1e-6)]));
+            assert!(!add(&[(1, 1e6)]));
+            assert!(add(&[(7, 1.0)]));
+        }
     }
 }

@@ -24,7 +24,7 @@ pub use coupling::{Coupled, Coupling, JointCoordinate};
 pub use custom::CustomJoint;
 pub use end::{End, Ground};
 pub use equations::GapClosure;
-pub(crate) use equations::{Gap, JointEquations};
+pub(crate) use equations::{Gap, JointEquations, LinearRows};
 pub use kind::{JointContext, JointKind, JointObject, JointSymbol};
 pub use recorded_coordinate::RecordedCoordinate;
 pub use term::JointTerm;

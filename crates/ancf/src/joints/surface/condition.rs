@@ -28,3 +28,14 @@ pub enum SupportedAxis {
     /// z-axis.
     Z,
 }
+
+/// Rotations of a seam.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema, Scaled)]
+#[serde(rename_all = "snake_case")]
+pub enum SeamCondition {
+    /// The angle of both surfaces along the seam is constant: smooth surfaces stay smooth, kinks keep their angle.
+    #[default]
+    Rigid,
+    /// The surfaces rotate freely about the seam.
+    Hinged,
+}

@@ -1,6 +1,7 @@
-//! Equations of the supports of shells: linear equations of nodal vectors.
+//! Equations of the supports of shells: linear equations of nodal vectors, and on rigid bodies angles of slopes and normals.
 
-use ancf_mechanics::constraints::{ConstrainedVector, LinearConstraint};
+use ancf_mechanics::constraints::ConstrainedVector;
+use ancf_mechanics::kinematics::{Attachment, BodyVector, Marker};
 use ancf_mechanics::shells::{ShellEdge, ShellMesh};
 use nalgebra::Vector3;
 
@@ -25,6 +26,9 @@ pub(super) fn add_equations(
     guides: &[SupportedAxis],
 ) {
     let Some(mesh) = builder.shell() else { return };
+    if let (Some(base), At::Edge(place)) = (builder.base(), at) {
+        return add_to_body(builder, (mesh, place.edge.edge()), base, condition);
+    }
     let global = [Vector3::x(), Vector3::y(), Vector3::z()];
     let axes: Vec<Vector3<f64>> = match condition {
         SupportCondition::Guided => guides.iter().map(|axis| global[number(*axis)]).collect(),
@@ -35,9 +39,7 @@ pub(super) fn add_equations(
             let (first, reference) = mesh.nodal(node, kind);
             ConstrainedVector { first, reference, direction, is_position: kind == POSITION }
         });
-        let (vectors, multiplier) = (vectors.collect(), builder.multipliers(1));
-        let about = builder.a().point.linear().clone();
-        builder.add(LinearConstraint::new(vectors, &about, multiplier, name));
+        builder.add_linear(vectors.collect(), Vec::new(), name);
     };
     let At::Edge(place) = at else {
         let node = mesh.node_at(at.on_surface().unwrap_or_default());
@@ -65,6 +67,55 @@ pub(super) fn add_equations(
             let (normal, rate) = normal_of(mesh, edge, k);
             add(&[(node, across, normal)], "slope across the edge");
             add(&[(node, MIXED, normal), (node, across, rate)], "slope along the edge");
+        }
+    }
+}
+
+/// Adds the equations of an edge that moves with a rigid body.
+fn add_to_body(
+    builder: &mut JointBuilder<'_>,
+    (mesh, edge): (&ShellMesh, ShellEdge),
+    base: &Attachment,
+    condition: SupportCondition,
+) {
+    let [along, across] = if edge.along_v { [2, 1] } else { [1, 2] };
+    let axes = [Vector3::x(), Vector3::y(), Vector3::z()];
+    let directions = axes.map(|axis| base.direction(axis));
+    for (i, j) in (0..3).flat_map(|i| (0..=i).map(move |j| (i, j))) {
+        builder.assume_constant(&directions[i], &directions[j]);
+    }
+    for (k, node) in mesh.edge_nodes(edge).into_iter().enumerate() {
+        for (kind, name) in [(POSITION, "position"), (along, "position along the edge")] {
+            let (first, reference) = mesh.nodal(node, kind);
+            let point = base.point.linear();
+            let moved = match kind {
+                POSITION => {
+                    let arm = base.material_direction(reference - point.reference());
+                    Marker::combined([(1.0, point), (1.0, &arm)])
+                }
+                _ => base.material_direction(reference),
+            };
+            for axis in axes {
+                let vector = |first, direction| ConstrainedVector {
+                    first,
+                    reference,
+                    direction,
+                    is_position: kind == POSITION,
+                };
+                let others = moved.parts().iter().map(|&(first, weight)| vector(first, axis * -weight));
+                builder.add_linear(vec![vector(first, axis)], others.collect(), name);
+            }
+        }
+        if condition == SupportCondition::Clamped {
+            let (normal, rate) = normal_of(mesh, edge, k);
+            let [normal, rate] = [normal, rate].map(|direction| base.direction(direction));
+            let slope = |kind: usize| {
+                let (first, reference) = mesh.nodal(node, kind);
+                BodyVector::from(Marker::new([(first, 1.0)], reference))
+            };
+            let (slope, mixed) = (slope(across), slope(MIXED));
+            builder.keep_edge_angles(&[(&slope, &normal)], "slope across the edge");
+            builder.keep_edge_angles(&[(&mixed, &normal), (&slope, &rate)], "slope along the edge");
         }
     }
 }

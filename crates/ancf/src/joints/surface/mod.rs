@@ -1,8 +1,11 @@
-//! Supports of shells.
+//! Supports and seams of shells.
 
 mod condition;
 mod edge_equations;
+mod seam;
+mod seam_equations;
 mod support;
 
-pub use condition::{SupportCondition, SupportedAxis};
+pub use condition::{SeamCondition, SupportCondition, SupportedAxis};
+pub use seam::Seam;
 pub use support::Support;

@@ -8,7 +8,7 @@ use crate::joints::parts::{End, JointBuilder, JointContext, JointKind};
 use crate::model::{At, Body, Place};
 use crate::units::Scaled;
 
-/// Support of an edge or of a node of a shell by the ground.
+/// Support of an edge or of a node of a shell by the ground, or of an edge by a rigid body.
 ///
 /// The normal of a Kirchhoff-Love shell rotates about an edge by the slope across it. Stretches stay free.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
@@ -19,16 +19,14 @@ pub struct Support {
     pub name: String,
     /// Edge or node of a shell, on which the reaction acts. Moments of the reaction of an edge refer to its middle.
     pub a: Place,
+    /// Rigid body with which the edge moves, at any of its places; the ground by default.
+    #[serde(default)]
+    pub b: End,
     /// Constrained motions.
     pub condition: SupportCondition,
     /// Global axes along which displacements are zero, for `condition = "guided"`.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub axes: Vec<SupportedAxis>,
-    /// The ground.
-    #[serde(skip)]
-    #[schemars(skip)]
-    #[unit(none)]
-    pub ground: End,
 }
 
 impl JointKind for Support {
@@ -41,7 +39,7 @@ impl JointKind for Support {
     }
 
     fn ends(&self) -> (&Place, &End) {
-        (&self.a, &self.ground)
+        (&self.a, &self.b)
     }
 
     fn removes(&self) -> usize {
@@ -72,6 +70,9 @@ impl JointKind for Support {
             )];
         }
         let is_edge = matches!(self.a.at, At::Edge(_));
+        if let End::Place(b) = &self.b {
+            return self.check_body(path, b, is_edge, context);
+        }
         let needs_edge = matches!(self.condition, SupportCondition::Clamped | SupportCondition::Symmetry);
         if needs_edge && !is_edge {
             let expected =
@@ -98,5 +99,32 @@ impl JointKind for Support {
             finding(format!("{path}.condition"), found, expected).rests_on(["bodies".into()])
         });
         unfit.into_iter().collect()
+    }
+}
+
+impl Support {
+    /// Checks a support by a body.
+    fn check_body(&self, path: &str, b: &Place, is_edge: bool, context: &dyn JointContext) -> Vec<Finding> {
+        let mut findings = Vec::new();
+        if let Some(body) = context.body(b)
+            && !matches!(body, Body::Rigid(_))
+        {
+            let found = format!("{}, which is not a rigid body", quoted(body.name()));
+            let expected = "a rigid body or \"ground\"; joints of kind \"seam\" connect two shells";
+            findings.push(finding(format!("{path}.b.body"), found, expected).rests_on(["bodies".into()]));
+        }
+        if !is_edge {
+            let expected = "an edge, such as { edge = \"u_start\" }; joints such as \"spherical\" connect nodes to bodies";
+            findings.push(finding(format!("{path}.a.at"), "a point of a shell on a rigid body", expected));
+        }
+        if !matches!(self.condition, SupportCondition::Clamped | SupportCondition::Hinged) {
+            let expected = "\"clamped\" or \"hinged\" for an edge on a rigid body";
+            findings.push(finding(format!("{path}.condition"), "a support by the ground", expected));
+        }
+        if !self.axes.is_empty() {
+            let expected = "no key `axes` unless `condition` is \"guided\"";
+            findings.push(finding(format!("{path}.axes"), "axes", expected));
+        }
+        findings
     }
 }

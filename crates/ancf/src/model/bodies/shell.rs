@@ -3,6 +3,7 @@ use nalgebra::{Rotation3, Unit, Vector3};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::layer::Layer;
 use super::motion::InitialMotion;
 use crate::units::Scaled;
 
@@ -29,6 +30,13 @@ pub struct Shell {
     pub thickness: f64,
     /// Name of the material, a key of `materials`.
     pub material: String,
+    /// Layers from the lower to the upper side in the direction of the normal; by default a single one.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub layers: Vec<Layer>,
+    /// Axis whose projection on the surface has the fibre angle zero; by default the direction of u.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[unit(none)]
+    pub fibre_axis: Option<[f64; 3]>,
     /// Initial velocities in dynamics; at rest by default.
     #[serde(default, skip_serializing_if = "InitialMotion::is_rest")]
     pub motion: InitialMotion,
@@ -52,7 +60,7 @@ pub enum ShellSurface {
     },
     /// Line that rotates about an axis: part of a cylinder, a cone or an annulus. u is along the rotation, v along the line.
     ///
-    /// The edges of a full turn are not connected.
+    /// The edges of a full turn are connected by a seam only.
     Revolved {
         /// Start of the line with u = v = 0, length.
         #[unit(length)]
@@ -132,6 +140,17 @@ impl EdgeName {
 }
 
 impl Shell {
+    /// Layers with their thicknesses, from the lower to the upper side.
+    pub(crate) fn layers<'a>(&'a self) -> Vec<(&'a str, f64, f64)> {
+        let count = self.layers.len() as f64;
+        let of = |layer: &Layer| layer.thickness.unwrap_or(self.thickness / count);
+        if self.layers.is_empty() {
+            return vec![(&self.material, self.thickness, 0.0)];
+        }
+        let material = |layer: &'a Layer| layer.material.as_deref().unwrap_or(&self.material);
+        self.layers.iter().map(|layer| (material(layer), of(layer), layer.angle)).collect()
+    }
+
     /// Point of the surface that positions are relative to: r(0, 0).
     pub(crate) fn origin(&self) -> Vector3<f64> {
         match &self.surface {

@@ -1,10 +1,11 @@
 use ancf_mechanics::sections::Lame;
+use ancf_mechanics::shells::PlyElasticity;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::units::Scaled;
 
-/// Isotropic elastic material with damping.
+/// Elastic material with damping. It is isotropic unless `orthotropic` is given.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(deny_unknown_fields)]
 pub struct Material {
@@ -21,12 +22,30 @@ pub struct Material {
     #[unit(number)]
     #[schemars(extend("exclusiveMinimum" = -1, "exclusiveMaximum" = 0.5))]
     pub poisson: f64,
+    /// Constants transverse to fibres; `young` and `poisson` are then those along them. Only for shells.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub orthotropic: Option<Orthotropic>,
     /// Constitutive law.
     #[serde(default)]
     pub law: MaterialLaw,
     /// Material damping.
     #[serde(default)]
     pub damping: Damping,
+}
+
+/// Constants of an orthotropic material in plane stress, in addition to Young's modulus E_L along the fibres and Poisson's ratio ν_LT
+/// of the contraction transverse to them. Both moduli have to satisfy ν_LT² < E_L/E_T.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
+#[serde(deny_unknown_fields)]
+pub struct Orthotropic {
+    /// Young's modulus E_T transverse to the fibres, force/area.
+    #[unit(force / length^2)]
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub young: f64,
+    /// Shear modulus G_LT, force/area.
+    #[unit(force / length^2)]
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub shear: f64,
 }
 
 /// Constitutive law of a material, by its strain energy density.
@@ -58,7 +77,17 @@ impl Material {
     /// Elastic material without damping.
     pub const fn elastic(density: f64, young: f64, poisson: f64) -> Self {
         let damping = Damping { strain: 0.0, mass: 0.0 };
-        Self { density, young, poisson, law: MaterialLaw::StVenantKirchhoff, damping }
+        Self { density, young, poisson, orthotropic: None, law: MaterialLaw::StVenantKirchhoff, damping }
+    }
+
+    /// Elastic constants of a ply.
+    pub(crate) fn ply(&self) -> PlyElasticity {
+        match self.orthotropic {
+            Some(Orthotropic { young, shear }) => {
+                PlyElasticity { young: [self.young, young], poisson: self.poisson, shear }
+            }
+            None => PlyElasticity::isotropic(self.young, self.poisson),
+        }
     }
 
     /// Lamé's constants λ = Eν/((1+ν)(1−2ν)) and G = E/(2(1+ν)).

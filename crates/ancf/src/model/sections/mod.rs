@@ -20,7 +20,7 @@ pub use circle::Circle;
 pub use custom::{CustomSection, SectionObject};
 pub use ellipse::Ellipse;
 pub use general::GeneralSection;
-pub use material::{Damping, Material, MaterialLaw};
+pub use material::{Damping, Material, MaterialLaw, Orthotropic};
 pub use outline::{OutlineCurve, SectionOutline};
 pub use rectangle::Rectangle;
 pub use section::Section;

@@ -16,7 +16,7 @@ const THICKNESS: f64 = 0.05;
 
 fn medium() -> ShellMedium {
     let section = ShellSection::isotropic(YOUNG, POISSON, 1.0, THICKNESS);
-    ShellMedium { section, retardation: 0.0, mass_damping: 0.0, gravity: Vector3::zeros() }
+    ShellMedium { section, axis: None, retardation: 0.0, mass_damping: 0.0, gravity: Vector3::zeros() }
 }
 
 /// Map of a surface: r, ∂r/∂u, ∂r/∂v, ∂²r/∂u∂v.

@@ -16,7 +16,8 @@ const SECTION: [f64; 4] = [1e6, 0.25, 1.0, 1e-3];
 fn plate() -> ShellMesh {
     let [young, poisson, density, thickness] = SECTION;
     let section = ShellSection::isotropic(young, poisson, density, thickness);
-    let medium = ShellMedium { section, retardation: 0.0, mass_damping: 0.0, gravity: Vector3::zeros() };
+    let medium =
+        ShellMedium { section, axis: None, retardation: 0.0, mass_damping: 0.0, gravity: Vector3::zeros() };
     let map = |[u, v]: [f64; 2]| {
         let [a, b] = [Vector3::x() * SIDES[0], Vector3::y() * SIDES[1]];
         [a * u + b * v, a, b, Vector3::zeros()]

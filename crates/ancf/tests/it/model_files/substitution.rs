@@ -205,7 +205,7 @@ fn paths_without_target_are_rejected() {
         ),
         (
             "bodies.rod.material.youngs",
-            "bodies.rod.material.youngs: found unknown key `youngs`, expected `damping`, `density`, `law`, `poisson` or `young` \
+            "bodies.rod.material.youngs: found unknown key `youngs`, expected `damping`, `density`, `law`, `orthotropic`, `poisson` or `young` \
              (did you mean `young`?)",
         ),
         (

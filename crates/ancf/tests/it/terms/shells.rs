@@ -33,7 +33,7 @@ pub(super) fn medium(coupled: bool, damping: [f64; 2]) -> ShellMedium {
         section.coupling = Matrix3::new(0.7, 0.1, 0.2, 0.1, -0.5, 0.1, 0.2, 0.1, 0.3);
     }
     let [retardation, mass_damping] = damping;
-    ShellMedium { section, retardation, mass_damping, gravity: Vector3::new(0.3, -2.0, 0.7) }
+    ShellMedium { section, axis: None, retardation, mass_damping, gravity: Vector3::new(0.3, -2.0, 0.7) }
 }
 
 pub(super) fn element(coupled: bool, damping: [f64; 2]) -> Shell48 {

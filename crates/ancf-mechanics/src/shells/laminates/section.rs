@@ -3,7 +3,8 @@ use nalgebra::{Matrix3, Vector3};
 /// Stiffness of a shell per area: n = A ε + B κ, m = B ε + D κ, and its mass per area.
 ///
 /// Strains and curvatures are (11, 22, 2·12) in an orthonormal basis of the reference surface, whose first direction is that of
-/// r_ξ. Curvatures are positive for tension at the side of the normal r_ξ × r_η: the strain at the height z is ε + z κ.
+/// r_ξ or of a given axis ([`ShellMedium`](crate::shells::ShellMedium)). Curvatures are positive for tension at the side of the normal
+/// r_ξ × r_η: the strain at the height z is ε + z κ.
 ///
 /// Units: A force/length, B force, D force length.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -16,6 +17,17 @@ pub struct ShellSection {
     pub bending: Matrix3<f64>,
     /// Mass per area.
     pub density: f64,
+    /// Material at the surfaces [`LAYERS`](crate::shells::LAYERS).
+    pub surfaces: [SurfaceMaterial; 3],
+}
+
+/// Material of a shell at a height: the stress is C (ε + z κ).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SurfaceMaterial {
+    /// Height z above the middle surface.
+    pub height: f64,
+    /// Stiffness C in plane stress, force/area.
+    pub stiffness: Matrix3<f64>,
 }
 
 impl ShellSection {
@@ -31,30 +43,40 @@ impl ShellSection {
             coupling: Matrix3::zeros(),
             bending: plane * (thickness.powi(3) / 12.0),
             density: density * thickness,
+            surfaces: [0.5, 0.0, -0.5]
+                .map(|part| SurfaceMaterial { height: part * thickness, stiffness: plane }),
         }
     }
 
     /// Returns the matrices A, B and D for the covariant components (ξξ, ηη, 2 ξη) of strains.
     ///
-    /// `t` and `s` are the reference tangents r_ξ and r_η.
-    pub(crate) fn covariant(&self, t: &Vector3<f64>, s: &Vector3<f64>) -> [Matrix3<f64>; 3] {
-        let to_local = to_orthonormal(t, s);
+    /// `tangents` are r_ξ and r_η in the reference state. The first direction of the section is that of the projection of `axis`.
+    pub(crate) fn covariant(
+        &self,
+        tangents: [&Vector3<f64>; 2],
+        axis: Option<Vector3<f64>>,
+    ) -> [Matrix3<f64>; 3] {
+        let to_local = to_orthonormal(tangents, &axis.unwrap_or(*tangents[0]));
         [self.membrane, self.coupling, self.bending].map(|c| to_local.transpose() * c * to_local)
     }
 }
 
-/// Returns the matrix from covariant components (ξξ, ηη, 2 ξη) of strains to those in the orthonormal basis of a section.
+/// Returns the matrix from covariant components (ξξ, ηη, 2 ξη) of strains to those in an orthonormal basis.
 ///
-/// `t` and `s` are the reference tangents r_ξ and r_η.
-pub(crate) fn to_orthonormal(t: &Vector3<f64>, s: &Vector3<f64>) -> Matrix3<f64> {
+/// `t` and `s` are the reference tangents r_ξ and r_η. The first direction of the basis is that of the projection of `axis`.
+pub(crate) fn to_orthonormal([t, s]: [&Vector3<f64>; 2], axis: &Vector3<f64>) -> Matrix3<f64> {
     let normal = t.cross(s);
-    let e1 = t.normalize();
-    let e2 = normal.normalize().cross(&e1);
+    let unit = normal.normalize();
+    let e1 = (axis - unit * axis.dot(&unit)).normalize();
+    let e2 = unit.cross(&e1);
     // Contravariant basis: e_i = (e_i·A_α) A^α, so ε_ij = ε_αβ (e_i·A^α)(e_j·A^β).
     let area = normal.norm();
     let (a1, a2) = (s.cross(&normal) / (area * area), normal.cross(t) / (area * area));
-    let (c11, c12) = (e1.dot(&a1), e1.dot(&a2));
-    let (c21, c22) = (e2.dot(&a1), e2.dot(&a2));
+    strain_transform([[e1.dot(&a1), e1.dot(&a2)], [e2.dot(&a1), e2.dot(&a2)]])
+}
+
+/// Returns the matrix of the components (11, 22, 2·12) of strains for a change of basis with e_i = Σ c_iα a_α.
+pub(crate) fn strain_transform([[c11, c12], [c21, c22]]: [[f64; 2]; 2]) -> Matrix3<f64> {
     Matrix3::new(
         c11 * c11,
         c12 * c12,

@@ -1,0 +1,8 @@
+//! Stiffness of shells per area, of one material or of plies.
+
+mod laminate;
+mod section;
+
+pub use laminate::{Laminate, Ply, PlyElasticity};
+pub use section::{ShellSection, SurfaceMaterial};
+pub(crate) use section::{strain_transform, to_orthonormal};

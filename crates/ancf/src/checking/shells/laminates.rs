@@ -1,0 +1,115 @@
+//! Checks of orthotropic materials and of the layers of shells.
+
+use nalgebra::Vector3;
+
+use crate::errors::{Finding, finding, is_direction, no_direction, number, quoted};
+use crate::model::{IndexedModel, Material, MaterialLaw, Orthotropic, Shell, bodies_of};
+use crate::schema::unknown;
+
+/// Largest difference of the sum of the thicknesses of layers from that of the shell, relative to it.
+const SUM: f64 = 1e-9;
+/// Sine of the angle between `fibre_axis` and the normal below which the projection has no direction.
+const NORMAL: f64 = 1e-3;
+
+/// Checks that orthotropic materials have a positive strain energy, and that only shells have them.
+pub(super) fn materials(model: &IndexedModel<'_>) -> Vec<Finding> {
+    let mut findings = Vec::new();
+    for (name, material) in &model.materials {
+        let Some(Orthotropic { young, .. }) = material.orthotropic else { continue };
+        let limit = (material.young / young).sqrt();
+        let path = format!("materials.{name}");
+        if material.poisson.abs() >= limit {
+            let expected = format!(
+                "a number between -{0} and {0}, the square root of the ratio of Young's moduli along and transverse to the fibres",
+                number(limit)
+            );
+            let error = finding(format!("{path}.poisson"), number(material.poisson), expected);
+            findings.push(error.rests_on([format!("{path}.young"), format!("{path}.orthotropic")]));
+        }
+        if material.law == MaterialLaw::NeoHookean {
+            let expected = "\"st_venant_kirchhoff\" for an orthotropic material";
+            findings.push(finding(format!("{path}.law"), "\"neo_hookean\"", expected));
+        }
+    }
+    for (path, body) in bodies_of(model) {
+        let material = body.section_and_material().and_then(|(_, name)| model.materials.get(name));
+        if material.is_some_and(|material| material.orthotropic.is_some()) {
+            let expected = "an isotropic one: only shells have orthotropic materials";
+            let error = finding(format!("{path}.material"), "an orthotropic material", expected);
+            findings.push(error.rests_on(["materials".into()]));
+        }
+    }
+    findings
+}
+
+/// Checks the layers of a shell and their materials.
+pub(super) fn layers(model: &IndexedModel<'_>, path: &str, shell: &Shell) -> Vec<Finding> {
+    let mut findings: Vec<Finding> = rule_of_axis(path, shell).into_iter().collect();
+    findings.extend(rule_of_thicknesses(path, shell));
+    let first = model.materials.get(shell.layers()[0].0);
+    for (k, layer) in shell.layers.iter().enumerate() {
+        let Some(name) = &layer.material else { continue };
+        let key = format!("{path}.layers[{k}].material");
+        let Some(material) = model.materials.get(name) else {
+            let names = model.materials.keys().map(String::as_str).collect();
+            findings.push(unknown(key, "material", name, names).rests_on(["materials".into()]));
+            continue;
+        };
+        findings.extend(rule_of_layer(key, name, material, first));
+    }
+    findings
+}
+
+fn rule_of_layer(key: String, name: &str, material: &Material, first: Option<&Material>) -> Option<Finding> {
+    if material.law == MaterialLaw::NeoHookean {
+        let expected = "one whose law is \"st_venant_kirchhoff\"";
+        return Some(
+            finding(key, "a neo-Hookean material of a shell", expected).rests_on(["materials".into()]),
+        );
+    }
+    first.is_some_and(|first| first.damping != material.damping).then(|| {
+        let expected = "the damping of the first layer: a shell has one `damping`";
+        finding(key, format!("{}, whose `damping` differs", quoted(name)), expected)
+            .rests_on(["materials".into()])
+    })
+}
+
+/// Checks that either no layer or all layers have a thickness, with the sum of the shell.
+fn rule_of_thicknesses(path: &str, shell: &Shell) -> Option<Finding> {
+    let given = shell.layers.iter().filter_map(|layer| layer.thickness);
+    let (count, sum) = (given.clone().count(), given.sum::<f64>());
+    if count == 0 {
+        return None;
+    }
+    let [found, expected] = if count < shell.layers.len() {
+        let found = format!("{count} of {} layers with a thickness", shell.layers.len());
+        [found, "a thickness of all layers, or of none for equal ones".to_owned()]
+    } else if (sum - shell.thickness).abs() > SUM * shell.thickness {
+        let expected = format!("the thickness {} of the shell", number(shell.thickness));
+        [format!("layers with the sum {} of thicknesses", number(sum)), expected]
+    } else {
+        return None;
+    };
+    Some(finding(format!("{path}.layers"), found, expected).rests_on([format!("{path}.thickness")]))
+}
+
+/// Checks that the axis has a projection on the surface everywhere.
+fn rule_of_axis(path: &str, shell: &Shell) -> Option<Finding> {
+    const PARTS: usize = 16;
+    let axis = shell.fibre_axis?;
+    let key = format!("{path}.fibre_axis");
+    if !is_direction(axis) {
+        return Some(no_direction(key, axis));
+    }
+    let axis = Vector3::from(axis).normalize();
+    let places = (0..=PARTS).flat_map(|i| (0..=PARTS).map(move |j| [i, j].map(|k| k as f64 / PARTS as f64)));
+    let is_normal = |at: &[f64; 2]| {
+        let [_, a, b, _] = shell.map(*at);
+        a.cross(&b).normalize().cross(&axis).norm() < NORMAL
+    };
+    places.into_iter().find(is_normal).map(|[u, v]| {
+        let found = format!("the normal of the surface at [u, v] = [{}, {}]", number(u), number(v));
+        finding(key, found, "an axis that is nowhere normal to the surface")
+            .rests_on([format!("{path}.surface")])
+    })
+}

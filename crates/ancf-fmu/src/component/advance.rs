@@ -23,7 +23,8 @@ impl Instance {
             return Err(Fault::error(format!("communication step: found {h}, expected a number above 0")));
         }
         let now = self.time();
-        if !((t - now).abs() <= TOLERANCE * h) {
+        let gap = (t - now).abs();
+        if gap.is_nan() || gap > TOLERANCE * h {
             return Err(Fault::error(format!("communication point: found {t}, expected {now}")));
         }
         if let Some(stop) = self.stop.filter(|stop| t + h > stop + TOLERANCE * h) {

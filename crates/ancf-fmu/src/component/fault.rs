@@ -57,12 +57,13 @@ fn text_of(panic: &(dyn Any + Send)) -> String {
 
 #[cfg(test)]
 mod tests {
+    use std::panic::panic_any;
+
     use super::*;
 
     #[test]
     fn panics_become_errors() {
-        let none: Option<u8> = None;
-        let fault = guarded(|| Ok(none.expect("a value"))).unwrap_err();
-        assert_eq!(fault.message, "internal error of ancf: a value");
+        let fault = guarded::<()>(|| panic_any("a cause")).unwrap_err();
+        assert_eq!(fault.message, "internal error of ancf: a cause");
     }
 }

@@ -6,6 +6,9 @@ use super::fault::{Fault, Level};
 use super::resources::Resources;
 use crate::interface::model_with;
 
+/// Callback for messages.
+type Log = Box<dyn Fn(Level, &str)>;
+
 /// Phase of an instance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 pub(crate) enum Phase {
@@ -22,7 +25,7 @@ pub(crate) enum Phase {
 /// Instance of an FMU.
 pub(crate) struct Instance {
     pub(super) resources: Resources,
-    log: Box<dyn Fn(Level, &str)>,
+    log: Log,
     pub(super) phase: Phase,
     pub(super) parameters: Vec<f64>,
     /// Values of the inputs that were set last.
@@ -55,7 +58,7 @@ impl fmt::Debug for Instance {
 }
 
 impl Instance {
-    pub(crate) fn new(resources: Resources, log: Box<dyn Fn(Level, &str)>) -> Self {
+    pub(crate) fn new(resources: Resources, log: Log) -> Self {
         let interface = &resources.interface;
         Self {
             parameters: interface.parameters.iter().map(|one| one.start).collect(),

@@ -1,5 +1,7 @@
 """FMUs in three importers: FMPy, libcosim and Ecos."""
 
+import os
+import subprocess
 import sys
 from collections.abc import Callable
 from pathlib import Path
@@ -53,6 +55,26 @@ def test_fmpy_has_the_states_of_the_own_run(fmu: Fmu, version: int) -> None:
     own.close()
     for i, name in enumerate(COLUMNS):
         assert np.allclose(found[name][1:], np.array(rows)[:, i], **TOLERANCE), name
+
+
+@pytest.mark.parametrize("step", [7e-4, 2.5e-3])
+@pytest.mark.parametrize("control", ["1e-3", "{ tolerance = 1e-4 }"])
+def test_communication_steps_have_any_size(tmp_path: Path, step: float, control: str) -> None:
+    """Smaller and larger steps than those of the model, and error control."""
+    text = (MODELS / "cart_pole.toml").read_text().replace("step = 1e-3", f"step = {control}")
+    model = tmp_path / "model.toml"
+    model.write_text(text, encoding="utf-8")
+    subprocess.run([os.environ["ANCF"], "fmu", str(model)], check=True)
+    end = 20 * step
+    found = fmpy.simulate_fmu(
+        str(model.with_suffix(".fmu")), stop_time=end, output_interval=step, output=COLUMNS
+    )
+    own = Reference(text)
+    for row in found[1:]:
+        own.advance(row["time"])
+    for name in COLUMNS:
+        assert np.isclose(found[name][-1], own.read(name), **TOLERANCE), name
+    own.close()
 
 
 @pytest.mark.parametrize("version", [2, 3])

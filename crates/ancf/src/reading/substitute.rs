@@ -71,7 +71,7 @@ pub fn substitute(data: &mut Value, path: &str, value: Value) -> Result<Vec<Stri
 ///     bodies = [{ kind = "cable", name = "rope", material = "steel" }]
 /// "#)?;
 /// let found = ancf::reading::values_at(&data, "bodies.rope.material.young")?;
-/// assert_eq!(found, [("materials.steel.young".to_owned(), Some(2.1e11.into()))]);
+/// assert_eq!(found, [("materials.steel.young".to_owned(), Some(toml::Value::Float(2.1e11)))]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn values_at(data: &Value, path: &str) -> Result<Vec<(String, Option<Value>)>, ModelError> {

@@ -9,14 +9,17 @@ mod system;
 use std::env;
 use std::process::ExitCode;
 
-use commands::{benchmark, dependencies, fuzz, hunt, package, pictures, playground, schema, test, viewer};
+use commands::{
+    benchmark, dependencies, fuzz, hunt, importers, package, pictures, playground, schema, test, viewer,
+};
 use system::shell::say;
 
 const HELP: &str = "\
 cargo xtask test            all tests: format, layers, lints, tests, documentation, instruction counts, dependencies,
-                            the viewer in a browser, Python
+                            the viewer in a browser, Python, FMUs in importers
 cargo xtask layers          module structure by layers.toml: folders, imports, cycles, sizes; --tree PATH, --root DIR
 cargo xtask python          the Python package alone: installed, checked, tested, its site built
+cargo xtask fmi             FMUs in FMPy, Ecos and libcosim: validated, compared with own runs
 cargo xtask docs            the documentation site, into target/site
 cargo xtask schema          docs/model.schema.json, the Python classes and the key tables of the documentation, after a
                             change of the model types
@@ -41,6 +44,7 @@ fn main() -> ExitCode {
         "test" => test::all(),
         "layers" => layers::check(options),
         "python" => package::test(),
+        "fmi" => importers::test(),
         "docs" => package::docs(),
         "schema" => schema::refresh(),
         "deny" => dependencies::deny(),

@@ -4,8 +4,8 @@ use anyhow::Result;
 use clap::Subcommand;
 
 use crate::model::{
-    CHECK_EXAMPLES, CheckArguments, NEW_EXAMPLES, NewArguments, SCALED_EXAMPLES, SCHEMA_EXAMPLES,
-    ScaledArguments, print_schema,
+    CHECK_EXAMPLES, CheckArguments, FMU_EXAMPLES, FmuArguments, NEW_EXAMPLES, NewArguments, SCALED_EXAMPLES,
+    SCHEMA_EXAMPLES, ScaledArguments, print_schema,
 };
 use crate::plot::{PLOT_EXAMPLES, PlotArguments};
 use crate::reproduce::{PAPER_EXAMPLES, PaperArguments, VERIFY_EXAMPLES, VerifyArguments};
@@ -48,6 +48,9 @@ pub enum Command {
     /// Run a model in many cases, with parameters from lists, ranges and distributions, into a table.
     #[command(after_help = STUDY_EXAMPLES)]
     Study(StudyArguments),
+    /// Write the model as a co-simulation FMU (FMI 2.0 or 3.0), for other simulation programs.
+    #[command(after_help = FMU_EXAMPLES)]
+    Fmu(FmuArguments),
     /// Print the model in the units in which its equations are solved.
     #[command(after_help = SCALED_EXAMPLES)]
     Scaled(ScaledArguments),
@@ -87,6 +90,7 @@ impl Command {
         match self {
             Self::New(arguments) => arguments.run(),
             Self::Check(arguments) => Ok(arguments.run()),
+            Self::Fmu(arguments) => arguments.run(),
             Self::Scaled(arguments) => arguments.run(),
             Self::Run(arguments) => arguments.run(),
             Self::Resume(arguments) => arguments.run(),

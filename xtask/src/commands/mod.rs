@@ -4,6 +4,7 @@ pub(crate) mod benchmark;
 pub(crate) mod dependencies;
 pub(crate) mod fuzz;
 pub(crate) mod hunt;
+pub(crate) mod importers;
 pub(crate) mod package;
 pub(crate) mod pictures;
 pub(crate) mod playground;

@@ -3,7 +3,7 @@
 use std::process::Command;
 use std::time::{Duration, Instant};
 
-use super::{benchmark, dependencies, package, playground, viewer};
+use super::{benchmark, dependencies, importers, package, playground, viewer};
 use crate::layers;
 use crate::system::shell::{Done, cargo, say};
 
@@ -35,7 +35,8 @@ fn parts(timer: &mut PartTimer) -> Done {
     timer.run("dependencies", dependencies::deny)?;
     timer.run("playground", playground::build)?;
     timer.run("viewer", viewer::test)?;
-    timer.run("Python", package::test)
+    timer.run("Python", package::test)?;
+    timer.run("FMI", importers::test)
 }
 
 /// Wall-clock time of each part of the tests.

@@ -1,7 +1,8 @@
-//! Commands about model files: `ancf new`, `check`, `scaled`, `schema`.
+//! Commands about model files: `ancf new`, `check`, `fmu`, `scaled`, `schema`.
 
 mod check;
 mod display;
+mod fmu;
 mod new;
 mod scaled;
 mod schema;
@@ -9,6 +10,7 @@ mod start;
 
 pub use check::{CHECK_EXAMPLES, CheckArguments};
 pub use display::surfaces_of;
+pub use fmu::{FMU_EXAMPLES, FmuArguments};
 pub use new::{NEW_EXAMPLES, NewArguments};
 pub use scaled::{SCALED_EXAMPLES, ScaledArguments};
 pub use schema::{SCHEMA_EXAMPLES, print_schema};

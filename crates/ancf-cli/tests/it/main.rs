@@ -4,6 +4,7 @@
 mod checks;
 mod damage;
 mod estimates;
+mod fmu;
 mod folder;
 #[cfg(target_os = "linux")]
 mod full_disk;

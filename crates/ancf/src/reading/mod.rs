@@ -8,4 +8,4 @@ mod supply;
 
 pub use part::check_part;
 pub use read::{parse_as, with_places};
-pub use substitute::substitute;
+pub use substitute::{substitute, values_at};

@@ -60,6 +60,25 @@ pub fn substitute(data: &mut Value, path: &str, value: Value) -> Result<Vec<Stri
     Ok(locations.iter().map(|steps| path_of(steps.iter().map(|resolved| &resolved.step))).collect())
 }
 
+/// Returns the values to which a path refers, each with its path: those of the data, or the defaults of missing keys.
+///
+/// # Errors
+/// As [`substitute`].
+///
+/// ```
+/// let data: toml::Value = toml::from_str(r#"
+///     materials.steel = { density = 7850, young = 2.1e11 }
+///     bodies = [{ kind = "cable", name = "rope", material = "steel" }]
+/// "#)?;
+/// let found = ancf::reading::values_at(&data, "bodies.rope.material.young")?;
+/// assert_eq!(found, [("materials.steel.young".to_owned(), Some(toml::Value::Float(2.1e11)))]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn values_at(data: &Value, path: &str) -> Result<Vec<(String, Option<Value>)>, ModelError> {
+    let found = resolve(data, &path_steps(path)?)?;
+    Ok(found.into_iter().map(|location| (location.path(), location.value.map(Cow::into_owned))).collect())
+}
+
 /// Step of a path that was found in the schema.
 #[derive(Clone)]
 struct ResolvedStep {

@@ -86,6 +86,15 @@ impl Stepper {
         Ok(at_once.map_or_else(now, |setting| setting.value))
     }
 
+    /// Use of an input in the model.
+    ///
+    /// # Errors
+    /// If there is no such input.
+    pub fn input_use(&self, name: &str) -> Result<InputUse, StepError> {
+        self.input_number(name)?;
+        Ok(InputUse::of(&self.simulation.scaled, name))
+    }
+
     /// Names of the inputs.
     pub fn inputs(&self) -> impl Iterator<Item = &str> {
         self.simulation.scaled.inputs.iter().map(|input| input.name.as_str())
@@ -104,8 +113,12 @@ impl Stepper {
         self.inputs().position(|own| own == name).ok_or_else(unknown)
     }
 
-    /// Applies the new settings of the inputs: accelerations, multipliers and velocity jumps follow from them.
-    pub(super) fn apply_inputs(&mut self) -> Result<(), StepError> {
+    /// Applies the new settings of the inputs at the present time, as the next step would do: accelerations, multipliers and velocity
+    /// jumps follow from them. Values that are read afterwards are those after the jump.
+    ///
+    /// # Errors
+    /// If there are no accelerations or velocities for the values. The former ones apply then.
+    pub fn apply_inputs(&mut self) -> Result<(), StepError> {
         if self.pending.iter().all(Option::is_none) {
             return Ok(());
         }

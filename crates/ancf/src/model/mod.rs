@@ -35,8 +35,8 @@ pub use crate::joints::{
     AngularDrive, AngularFriction, AngularSpring, AngularStops, Bushing, Clamp, ClampedGradients, Coupled,
     Coupling, Cylindrical, DirectionMotion, Distance, DrivenClamp, End, Generic, Ground, Joint,
     JointCoordinate, LinearDrive, LinearFriction, LinearSpring, LinearStops, MatrixBushing, Planar,
-    PointOnLine, PointSpring, Prismatic, Revolute, Seam, SeamCondition, Slide, Spherical, Support, SupportCondition,
-    SupportedAxis, Universal,
+    PointOnLine, PointSpring, Prismatic, Revolute, Seam, SeamCondition, Slide, Spherical, Support,
+    SupportCondition, SupportedAxis, Universal,
 };
 pub use crate::loads::{
     BaseAcceleration, BaseRotation, DistributedForce, DistributedMoment, EdgeForce, EdgeMoment, ExternalLoad,

@@ -1,7 +1,7 @@
 //! Inputs of loads and drives, against closed forms.
 
 use ancf::record::Series;
-use ancf::{Model, StepError, Stepper, simulate};
+use ancf::{InputUse, Model, StepError, Stepper, simulate};
 
 use crate::common::models::parse;
 
@@ -91,6 +91,26 @@ fn runs_use_the_declared_values() {
         assert!(summary.outcome.is_finished(), "{:?}", summary.outcome);
         assert!((series.column("m.x").unwrap().last().unwrap() - 1.25).abs() < 1e-9);
     }
+}
+
+/// Inputs that are applied at once: values are those after the jump, and the next step has the same bits.
+#[test]
+fn inputs_are_applied_at_once() {
+    let model = parse(&cart("", 0.5, EXACT));
+    let [mut one, mut other] = [(); 2].map(|()| Stepper::new(&model).unwrap());
+    for stepper in [&mut one, &mut other] {
+        stepper.advance(0.2).unwrap();
+        stepper.set("thrust", -1.0).unwrap();
+    }
+    one.apply_inputs().unwrap();
+    assert!((one.read("m.ax").unwrap() + 2.0).abs() < 1e-12);
+    assert!((one.read("m.vx").unwrap() - 0.2).abs() < 1e-12);
+    for stepper in [&mut one, &mut other] {
+        stepper.step(0.1).unwrap();
+    }
+    assert_eq!(one.row(), other.row());
+    assert_eq!(one.input_use("thrust").unwrap(), InputUse::Load);
+    assert!(one.input_use("none").is_err());
 }
 
 /// Rotor of inertia 0.5 about z whose hinge is driven.

@@ -113,6 +113,7 @@ from ancf.model.joints import (
 )
 from ancf.model.loads import (
     BaseAcceleration,
+    BaseRotation,
     DistributedForce,
     DistributedMoment,
     EdgeForce,
@@ -153,6 +154,7 @@ __all__ = [
     "AutoScales",
     "AxisShape",
     "BaseAcceleration",
+    "BaseRotation",
     "Beam",
     "Body",
     "BodySurface",

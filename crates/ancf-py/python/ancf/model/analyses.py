@@ -419,6 +419,9 @@ class Modes(Part):
         ``"reference"``.
     count
         Number of the lowest modes, rigid body modes included (>= 1, <= 10000). Default: ``10``.
+    damped
+        True for modes with damping and gyroscopic forces: frequencies, damping ratios and growth rates.
+        Default: ``False``.
 
     """
 
@@ -428,6 +431,7 @@ class Modes(Part):
 
     about: LinearizationState | None = None
     count: int | None = None
+    damped: bool | None = None
 
 
 @checked_arguments

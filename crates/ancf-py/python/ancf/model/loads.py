@@ -16,6 +16,7 @@ from ancf.model.drives import Scales
 
 __all__ = [
     "BaseAcceleration",
+    "BaseRotation",
     "DistributedForce",
     "DistributedMoment",
     "EdgeForce",
@@ -298,6 +299,35 @@ class BaseAcceleration(Part):
 
 @checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
+class BaseRotation(Part):
+    """Rotation of the ground about a fixed axis: centrifugal, Coriolis and Euler forces on all bodies.
+
+    All positions, velocities, supports, loads and results are relative to the rotating ground. In statics the
+    load factor multiplies the centrifugal forces. Modes require ``damped = true``, because Coriolis forces
+    couple them, and ``about = "equilibrium"``.
+
+    Attributes
+    ----------
+    angular_velocity
+        Angular velocity Ω of the ground, radians/time.
+    point
+        Point of the axis, length; the origin by default.
+    time
+        Function of time that multiplies the angular velocity. Statics ignores it. Default: ``1.0``.
+
+    """
+
+    _form = "Load"
+    _tag = "kind"
+    kind: ClassVar[Literal["base_rotation"]] = "base_rotation"
+
+    angular_velocity: Vector
+    point: Vector | None = None
+    time: TimeFunction | None = None
+
+
+@checked_arguments
+@dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class FluidLoad(Part):
     """Fluid around bodies: drag, added mass and buoyancy.
 
@@ -380,6 +410,7 @@ Load: TypeAlias = (
     | SurfaceForce
     | SurfacePressure
     | BaseAcceleration
+    | BaseRotation
     | FluidLoad
     | ExternalForce
 )

@@ -44,12 +44,17 @@ impl Stepper {
         let (mass, damping, stiffness) = (dense(0.0, 0.0, 1.0), dense(0.0, 1.0, 0.0), dense(1.0, 0.0, 0.0));
         let of_coordinates = |k: &DMatrix<f64>| k.view((0, 0), (n, n)).into_owned();
         let constraints = mass.view((n, 0), (m, n)).into_owned();
-        let (mass, damping) = (of_coordinates(&mass), of_coordinates(&damping));
-        let mut stiffness = of_coordinates(&stiffness);
-        for (i, j, value) in eom.skew_stiffness(&s) {
-            stiffness[(i, j)] += value;
-            stiffness[(j, i)] -= value;
-        }
+        let mass = of_coordinates(&mass);
+        let with_skew = |k: &DMatrix<f64>, skew: Vec<(usize, usize, f64)>| {
+            let mut sum = of_coordinates(k);
+            for (i, j, value) in skew {
+                sum[(i, j)] += value;
+                sum[(j, i)] -= value;
+            }
+            sum
+        };
+        let damping = with_skew(&damping, eom.skew_damping(&s));
+        let stiffness = with_skew(&stiffness, eom.skew_stiffness(&s));
         let basis = null_space(&constraints, &mass).ok_or_else(|| {
             argument("linearise", "a motion without mass", "bodies with mass in all free motions")
         })?;

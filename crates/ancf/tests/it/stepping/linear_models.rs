@@ -69,6 +69,29 @@ fn pendulum_has_the_closed_form() {
     }
 }
 
+/// Mass on three equal springs on a rotating ground: eigenvalues ± i (ω₀ ± Ω) and ± i ω₀. The Coriolis forces are in A.
+#[test]
+fn a_rotating_ground_splits_the_poles() {
+    let spring = |name: &str, point: &str| {
+        format!(
+            "{{ kind = \"spring\", name = \"{name}\", a = {{ body = \"bob\", at = \"center\" }}, b = {{ point = {point} }}, stiffness = 200 }}"
+        )
+    };
+    let springs =
+        [("x", "[1, 0, 0]"), ("y", "[0, 1, 0]"), ("z", "[0, 0, 1]")].map(|(n, p)| spring(n, p)).join(", ");
+    let text = format!(
+        "bodies = [{{ kind = \"mass\", name = \"bob\", center = [0, 0, 0], mass = 2 }}]\n\
+         loads = [{{ kind = \"base_rotation\", angular_velocity = [0, 0, 6] }}]\njoints = [{springs}]\n\
+         analysis = {{ kind = \"dynamics\", duration = 1, step = 0.01 }}\n"
+    );
+    let linear = Stepper::new(&parse(&text)).unwrap().linearise(&[]).unwrap();
+    let mut poles: Vec<f64> = linear.a.complex_eigenvalues().iter().map(|pole| pole.im).collect();
+    poles.sort_by(f64::total_cmp);
+    for (found, expected) in poles.into_iter().zip([-16.0, -10.0, -4.0, 4.0, 10.0, 16.0]) {
+        assert!((found - expected).abs() < 1e-6, "{found} not {expected}");
+    }
+}
+
 /// Cantilever with a transverse tip force.
 fn cantilever(analysis: &str, formulation: &str) -> String {
     format!(

@@ -147,6 +147,17 @@ impl Frame {
                 joint.axis = self.polar(joint.axis);
                 (&mut joint.a, Some(&mut joint.b))
             }
+            Joint::Bushing(_) | Joint::Generic(_) | Joint::MatrixBushing(_) => self.axes_of(joint)?,
+            Joint::Support(_) | Joint::Seam(_) | Joint::Custom(_) => return None,
+        };
+        self.place(first.0);
+        first.1.into_iter().for_each(&mut second);
+        Some(())
+    }
+
+    /// Maps the axes of a joint with three of them, and returns its ends.
+    fn axes_of<'a>(&self, joint: &'a mut Joint) -> Option<(&'a mut Place, Option<&'a mut End>)> {
+        Some(match joint {
             Joint::Bushing(joint) => {
                 let axis = joint.twist_axis();
                 joint.stiffness = self.six(joint.stiffness)?;
@@ -170,11 +181,8 @@ impl Frame {
                 self.axes(&mut joint.x_axis, &mut joint.y_axis);
                 (&mut joint.a, Some(&mut joint.b))
             }
-            Joint::Support(_) | Joint::Seam(_) | Joint::Custom(_) => return None,
-        };
-        self.place(first.0);
-        first.1.into_iter().for_each(&mut second);
-        Some(())
+            _ => return None,
+        })
     }
 
     /// Maps axes that are global x and y by default.

@@ -33,7 +33,7 @@ const PRINTING: [&[&str]; 22] = [
 ];
 
 /// Commands that print nothing on standard output except their help.
-const SILENT: [&str; 1] = ["paper"];
+const SILENT: [&str; 2] = ["fmu", "paper"];
 
 const STUDY: &str = r#"
 model = "model.toml"

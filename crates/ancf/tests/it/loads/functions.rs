@@ -231,6 +231,7 @@ loads = [
   {{ kind = "distributed_force", body = "b", force = [0, 0, 1], {time} }},
   {{ kind = "distributed_moment", body = "b", moment = [0, 0, 1], {time} }},
   {{ kind = "base_acceleration", acceleration = [0, 0, 1], {time} }},
+  {{ kind = "base_rotation", angular_velocity = [0, 0, 1], {time} }},
   {{ kind = "fluid", bodies = ["b"], density = 1, drag = [1, 1], {time} }},
   {{ kind = "edge_force", body = "b", edge = "u_end", force = [0, 0, 1], {time} }},
   {{ kind = "edge_moment", body = "b", edge = "u_end", moment = [0, 0, 1], {time} }},

@@ -33,8 +33,10 @@ pub struct Material {
     pub damping: Damping,
 }
 
-/// Constants of an orthotropic material in plane stress, in addition to Young's modulus E_L along the fibres and Poisson's ratio ν_LT
-/// of the contraction transverse to them. Both moduli have to satisfy ν_LT² < E_L/E_T.
+/// Constants of an orthotropic material in plane stress.
+///
+/// Young's modulus E_L along the fibres and Poisson's ratio ν_LT of the contraction transverse to them are those of the material. The
+/// constants have to satisfy ν_LT² < E_L/E_T.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(deny_unknown_fields)]
 pub struct Orthotropic {

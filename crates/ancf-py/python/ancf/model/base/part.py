@@ -26,7 +26,7 @@ Points: TypeAlias = Sequence[Vector] | NDArray[Any]
 ForceFunction: TypeAlias = Callable[[float, NDArray[Any], NDArray[Any]], Vector]
 """Force as a function of time, position and velocity of its point."""
 LawFunction: TypeAlias = Callable[[float, float, float], float | tuple[float, float, float]]
-"""Force of a law as a function of time t, coordinate x and rate v: the force, or the force and its derivatives by x and v."""
+"""Force of a law as a function of time, coordinate and rate; or force and its derivatives by coordinate and rate."""
 
 P = TypeVar("P", bound="Part")
 

@@ -57,9 +57,10 @@ MaterialLaw: TypeAlias = Literal["st_venant_kirchhoff", "neo_hookean"]
 @checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Orthotropic(Part):
-    """Constants of an orthotropic material in plane stress, in addition to Young's modulus E_L along the
-    fibres and Poisson's ratio ν_LT of the contraction transverse to them. Both moduli have to satisfy ν_LT² <
-    E_L/E_T.
+    """Constants of an orthotropic material in plane stress.
+
+    Young's modulus E_L along the fibres and Poisson's ratio ν_LT of the contraction transverse to them are
+    those of the material. The constants have to satisfy ν_LT² < E_L/E_T.
 
     Attributes
     ----------

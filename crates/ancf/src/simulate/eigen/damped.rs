@@ -1,5 +1,3 @@
-use std::ops::ControlFlow;
-
 use ancf_solver::eigen::{DampedMode, DampedModes, EigenError, damped_modes};
 use ancf_solver::equations::{EquationsOfMotion, State, Weights};
 use ancf_solver::sparse::SparseMatrix;
@@ -53,10 +51,7 @@ impl AnalysisRun<'_> {
         let values = |mode: &DampedMode| {
             vec![mode.frequency() * rate, mode.damping_ratio(), mode.eigenvalue.re * rate, mode.residual]
         };
-        match self.shapes(about, modes.iter().map(|mode| (values(mode), mode.shape[0].as_slice())))? {
-            Ok(ControlFlow::Continue(())) => Ok(Ok(ControlFlow::Continue(()))),
-            other => Ok(other),
-        }
+        self.shapes(about, modes.iter().map(|mode| (values(mode), mode.shape[0].as_slice())))
     }
 }
 

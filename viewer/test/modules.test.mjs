@@ -7,7 +7,19 @@ import { test } from "node:test";
 
 const SOURCES = resolve(import.meta.dirname, "../src");
 /** Folders from the bottom to the top. Imports between folders point to a lower folder. */
-const FOLDERS = ["base", "scene", "view", "draw/shaders", "draw", "charts", "overlay", "panel", "ui", ".", "playground"];
+const FOLDERS = [
+  "base",
+  "scene",
+  "view",
+  "draw/shaders",
+  "draw",
+  "charts",
+  "overlay",
+  "panel",
+  "ui",
+  ".",
+  "playground",
+];
 const MAX_FILES = 12;
 const MAX_LINES = 400;
 

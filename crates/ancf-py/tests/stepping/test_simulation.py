@@ -95,7 +95,7 @@ def test_invalid_names_and_values() -> None:
         sim.set("torque", float("nan"))
     with pytest.raises(KeyError, match="perhaps"):
         sim.read("rod.xx")
-    with pytest.raises(ancf.ModelError, match="no load and no drive uses"):
+    with pytest.raises(ancf.ModelError, match="no load, no drive and no force law uses"):
         ancf.Simulation(pendulum(inputs=[{"name": "torque"}, {"name": "unused"}]))
     with pytest.raises(ancf.ModelError, match="which is advanced step by step"):
         ancf.Simulation(pendulum(analysis={"kind": "statics"}))

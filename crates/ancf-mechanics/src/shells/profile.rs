@@ -252,7 +252,7 @@ const fn start(row: usize) -> usize {
 }
 
 impl MembraneStiffness {
-    /// Factorises a stiffness matrix. It has no numbers if the matrix is not positive definite.
+    /// Factorises a stiffness matrix. The entries are NaN if the matrix is not positive definite.
     pub(crate) fn new(stiffness: &SMatrix<f64, MEMBRANE, MEMBRANE>) -> Self {
         let factor = Cholesky::new(*stiffness).map(|factor| factor.unpack());
         let entry = |t: usize, s: usize| factor.as_ref().map_or(f64::NAN, |factor| factor[(s, t)]);

@@ -3,6 +3,7 @@ use std::f64::consts::TAU;
 use nalgebra::{Complex, DVector};
 
 use super::arnoldi::{ArnoldiSpace, ComplexPair, PairTolerance};
+use super::mass_ratios::largest_ratios;
 use super::quadratic_operator::QuadraticOperator;
 use crate::eigen::modes::modes;
 use crate::eigen::operator::{EigenError, PseudoRandom};
@@ -31,7 +32,8 @@ impl DampedMode {
     /// Returns the damping ratio −Re λ / |λ|; 1 for a motion that decays without oscillation, 0 for λ = 0.
     pub fn damping_ratio(&self) -> f64 {
         let size = self.eigenvalue.norm();
-        if size > 0.0 { -self.eigenvalue.re / size } else { 0.0 }
+        // A difference, so that a motion without damping has no negative zero.
+        if size > 0.0 { (0.0 - self.eigenvalue.re) / size } else { 0.0 }
     }
 }
 
@@ -126,15 +128,8 @@ pub fn damped_modes(
 
 /// Returns a rate for the shift of a system without stiffness: that of its damping relative to the mass.
 fn rate_without_stiffness(eom: &dyn EquationsOfMotion, matrix: &SparseMatrix, s: &State) -> f64 {
-    let (mut mass, mut damping) = (matrix.clone(), matrix.clone());
-    eom.tangent(s, Weights::MASS, &mut mass);
-    eom.tangent(s, Weights { q: 0.0, v: 1.0, a: 0.0 }, &mut damping);
-    let ratio = |value: f64, i: usize, j: usize| {
-        let mass = (mass.diagonal_of(i) * mass.diagonal_of(j)).sqrt();
-        if mass > 0.0 { value.abs() / mass } else { 0.0 }
-    };
-    let own = (0..eom.coordinates()).map(|i| ratio(damping.diagonal_of(i), i, i)).fold(0.0, f64::max);
-    let skew = eom.skew_damping(s).into_iter().map(|(i, j, value)| ratio(value, i, j)).fold(0.0, f64::max);
+    let weights = Weights { q: 0.0, v: 1.0, a: 0.0 };
+    let [own, skew] = largest_ratios(eom, matrix, s, weights, &eom.skew_damping(s));
     let rate = own.max(skew);
     if rate > 0.0 { SHIFT * rate } else { 1.0 }
 }

@@ -2,6 +2,7 @@
 
 mod arnoldi;
 mod damped;
+mod mass_ratios;
 mod nonconservative;
 mod quadratic_operator;
 mod skew_operator;

@@ -1,6 +1,7 @@
 use nalgebra::{Complex, DVector};
 
 use super::arnoldi::{ArnoldiOperator, ArnoldiSpace, ComplexPair, PairTolerance};
+use super::mass_ratios::largest_ratios;
 use super::skew_operator::SkewOperator;
 use crate::eigen::modes::modes;
 use crate::eigen::operator::{EigenError, PseudoRandom};
@@ -97,15 +98,7 @@ const DISTANCE: f64 = 1e-8;
 
 /// Returns a distance of the shift from zero if all ω² without A are zero: the size of A relative to the mass.
 fn distance_of_free_bodies(eom: &dyn EquationsOfMotion, matrix: &SparseMatrix, s: &State) -> f64 {
-    let (mut mass, mut stiffness) = (matrix.clone(), matrix.clone());
-    eom.tangent(s, Weights::MASS, &mut mass);
-    eom.tangent(s, Weights::STIFFNESS, &mut stiffness);
-    let ratio = |value: f64, i: usize, j: usize| {
-        let mass = (mass.diagonal_of(i) * mass.diagonal_of(j)).sqrt();
-        if mass > 0.0 { value.abs() / mass } else { 0.0 }
-    };
-    let highest = (0..eom.coordinates()).map(|i| ratio(stiffness.diagonal_of(i), i, i)).fold(0.0, f64::max);
-    let skew = eom.skew_stiffness(s).into_iter().map(|(i, j, value)| ratio(value, i, j)).fold(0.0, f64::max);
+    let [highest, skew] = largest_ratios(eom, matrix, s, Weights::STIFFNESS, &eom.skew_stiffness(s));
     let distance = skew.max(DISTANCE * highest);
     if distance > 0.0 { distance } else { 1.0 }
 }

@@ -1,9 +1,12 @@
 """Sphinx configuration. `cargo xtask docs` builds the site, runs cells and notebooks, and fails on any warning."""
 
 import ast
+import base64
 import inspect
 import os
 import re
+import shutil
+import zlib
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -57,15 +60,49 @@ ELSEWHERE = {
 """Pages whose text is a file at the root. The page of the same name in `docs` only links to it."""
 
 
+PLAYGROUND = ROOT / "target/playground"
+"""Built playground, which becomes a part of the site; without it the pages have no links to it."""
+
+
 def read(app: "Sphinx", name: str, source: list[str]) -> None:
-    """Replace stub pages by the files at the root, and rewrite links to targets on the site."""
+    """Replace stub pages by the files at the root, and add and rewrite links."""
     page = DOCS / f"{name}.md"
     text, file = source[0], page
     if name in ELSEWHERE:
         file = ROOT / ELSEWHERE[name]
         text = file.read_text(encoding="utf-8")
         app.env.note_dependency(str(file))
+    if PLAYGROUND.exists():
+        text = opened(text, "../" * name.count("/") + "playground/index.html")
     source[0] = re.sub(r"\[([^][]*)\]\(([^()#\s]+)(#[^()\s]*)?\)", lambda link: led(link, file, page), text)
+
+
+def opened(text: str, playground: str) -> str:
+    """Add links that open models of the gallery and complete model files of the text in the playground."""
+
+    def link(fragment: str) -> str:
+        return f'<a class="playground" href="{playground}#{fragment}">open in the playground</a>'
+
+    def with_model(block: re.Match[str]) -> str:
+        model = block.group(1)
+        if not re.search(r"^\[?analysis\b", model, re.MULTILINE):
+            return block.group()
+        deflate = zlib.compressobj(9, zlib.DEFLATED, -15)
+        data = deflate.compress(model.encode()) + deflate.flush()
+        return f"{block.group()}\n{link('model=' + base64.urlsafe_b64encode(data).decode().rstrip('='))}\n"
+
+    text = re.sub(
+        r"\[`(\w+)\.toml`\]\([./]*models/\w+\.toml\)",
+        lambda found: f"{found.group()} ({link('example=' + found.group(1))})",
+        text,
+    )
+    return re.sub(r"^```toml\n(.*?)^```\n", with_model, text, flags=re.MULTILINE | re.DOTALL)
+
+
+def publish(app: "Sphinx", exception: Exception | None) -> None:
+    """Copy the playground into the finished site."""
+    if exception is None and PLAYGROUND.exists():
+        shutil.copytree(PLAYGROUND, Path(app.outdir) / "playground", dirs_exist_ok=True)
 
 
 def led(link: re.Match[str], file: Path, page: Path) -> str:
@@ -108,6 +145,7 @@ def stated(part: type) -> dict[str, str]:
 
 
 def setup(app: "Sphinx") -> None:
-    """Register `read` for pages, and `keys` for docstrings, before napoleon."""
+    """Register `read` and `publish` for pages, and `keys` for docstrings, before napoleon."""
     app.connect("source-read", read)
     app.connect("autodoc-process-docstring", keys, priority=400)
+    app.connect("build-finished", publish)

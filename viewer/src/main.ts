@@ -11,6 +11,7 @@ import { SceneError } from "./scene/scene";
 import { followScene } from "./scene/source";
 import { createApi } from "./ui/api";
 import { App } from "./ui/app";
+import { followHandles } from "./ui/embedding";
 import { helpDialog, listenToKeys } from "./ui/keyboard";
 import { shortcuts } from "./ui/shortcuts";
 import { addButtons } from "./ui/toolbar";
@@ -24,6 +25,7 @@ function start(): void {
   document.body.append(dialog);
   addButtons(app, theme, showHelp);
   listenToKeys(list);
+  followHandles(app);
   Object.assign(window, { ancf: createApi(app, load(app)) });
 }
 

@@ -148,6 +148,97 @@ test("a run is shown while it proceeds, and can be stopped", async () => {
   await tab.close();
 });
 
+/** Drags a handle by a distance in pixels, and waits for the end of the run. */
+async function drag(tab, viewer, selector, [dx, dy]) {
+  const handle = await viewer.waitForSelector(selector);
+  const box = await handle.boundingBox();
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  const before = await getText(tab);
+  await tab.mouse.move(x, y);
+  await tab.mouse.down();
+  await tab.mouse.move(x + dx / 2, y + dy / 2);
+  await tab.mouse.move(x + dx, y + dy);
+  await tab.mouse.up();
+  await tab.waitForFunction((text) => window.playground.text !== text, {}, before);
+  assert.match(await ended(tab), /steps in/);
+}
+
+/** Vectors of the keys of a text, in their order. */
+const vectors = (text, key) =>
+  [...text.matchAll(new RegExp(`^${key} = (\\[.*?\\])`, "gm"))].map((found) => JSON.parse(found[1]));
+
+test("a dragged joint takes the bodies along", async () => {
+  const { tab, problems } = await open({ fragment: "#example=double_pendulum" });
+  await tab.click("#drag");
+  const viewer = await viewerOf(tab);
+  const selector = '.handle.joint[aria-label*="elbow"]';
+  await viewer.waitForSelector(selector);
+  const before = await getText(tab);
+  await drag(tab, viewer, selector, [0, -40]);
+  const after = await getText(tab);
+  assert.equal(after.split("\n").length, before.split("\n").length);
+  const moved = (key) =>
+    vectors(after, key).filter((vector, k) => String(vector) !== String(vectors(before, key)[k]));
+  const all = [...moved("from"), ...moved("to")];
+  assert.equal(all.length, 2, after);
+  // Up on the screen is up in the model, and all ends at the joint move together.
+  assert.deepEqual(all[0], all[1]);
+  assert.ok(all[0][1] > 0.01 && all[0][2] === 0, `${all[0]}`);
+  assert.deepEqual(problems, []);
+  await tab.close();
+});
+
+const PULLED = `
+materials.rubber = { density = 1000, young = 1e6 }
+sections.square = { kind = "rectangle", height = 0.1, width = 0.1 }
+bodies = [{ kind = "beam", name = "rod", from = [0, 0, 0], to = [1, 0, 0], elements = 4, section = "square", material = "rubber" }]
+joints = [{ kind = "clamp", name = "wall", a = { body = "rod", at = "start" } }]
+probes = [{ name = "tip", on = { body = "rod", at = "end" } }]
+
+[[loads]]
+kind = "force"
+on = { body = "rod", at = "end" }
+force = [0, 0.5, 0]
+
+[analysis]
+kind = "statics"
+`;
+
+test("a dragged force bends a beam the other way", async () => {
+  const { tab, problems } = await open({ fragment: "#example=cantilever" });
+  await setText(tab, PULLED);
+  await tab.click("#run");
+  assert.match(await ended(tab), /steps in/);
+  const deflection = async () => {
+    const csv = await table(tab);
+    const column = csv.split("\n")[0].split(",").indexOf("tip.y");
+    return rows(csv).at(-1)[column];
+  };
+  const up = await deflection();
+  assert.ok(up > 0.01, `${up}`);
+  await tab.click("#drag");
+  const viewer = await viewerOf(tab);
+  const arrow = await (await viewer.waitForSelector(".handle.force")).boundingBox();
+  const start = await (await viewer.waitForSelector(".handle.joint")).boundingBox();
+  // Mirror the arrow of the force about the axis of the beam.
+  await drag(tab, viewer, ".handle.force", [0, 2 * (start.y - arrow.y)]);
+  const [force] = vectors(await getText(tab), "force");
+  assert.ok(Math.abs(force[1] + 0.5) < 0.02 && Math.abs(force[2]) < 0.01, `${force}`);
+  const down = await deflection();
+  assert.ok(Math.abs(down + up) < 0.05 * up, `${down}`);
+  // The arrow keys move a handle too.
+  await viewer.focus(".handle.force");
+  const before = await getText(tab);
+  await tab.keyboard.press("ArrowUp");
+  await tab.waitForFunction((text) => window.playground.text !== text, {}, before);
+  assert.ok(vectors(await getText(tab), "force")[0][1] > force[1]);
+  assert.match(await ended(tab), /steps in/);
+  assert.deepEqual(problems, []);
+  await tab.click("#drag");
+  await viewer.waitForFunction(() => document.querySelectorAll(".handle").length === 0);
+  await tab.close();
+});
+
 test("the page works without a network after the first visit", async () => {
   const { tab } = await open({ fragment: "#example=cantilever" });
   await tab.evaluate(() => navigator.serviceWorker.ready);

@@ -6,18 +6,21 @@
 //!  live_run      run of a model text: rows, states and scenes during the run
 //!   /    \
 //! frames  problems   states of the scene; errors and warnings with their places
+//!         handles    points of the model that one drags
 //! ```
 //!
 //! The analyses are those of [`ancf`], and the scenes those of [`ancf_report`]. The results have the digits of a native run, up to
 //! the differences of the vector instructions.
 
 mod frames;
+mod handles;
 mod live_run;
 mod problems;
 
 use js_sys::{Function, Uint8Array};
 use wasm_bindgen::prelude::*;
 
+pub use handles::{Handle, handles, moved};
 pub use live_run::{LiveRun, RunRecord};
 pub use problems::{Problem, Severity, problems};
 
@@ -25,6 +28,18 @@ pub use problems::{Problem, Severity, problems};
 #[wasm_bindgen]
 pub fn check(text: &str) -> String {
     serde_json::to_string(&problems(text)).unwrap_or_default()
+}
+
+/// Returns the points of a model text that one drags as a JSON array of [`Handle`]s.
+#[wasm_bindgen]
+pub fn handle_list(text: &str) -> String {
+    serde_json::to_string(&handles(text)).unwrap_or_default()
+}
+
+/// Returns the text of a model in which a point that one drags has other coordinates; the same text if there is no such point.
+#[wasm_bindgen]
+pub fn moved_text(text: &str, number: usize, x: f64, y: f64, z: f64) -> String {
+    moved(text, number, [x, y, z]).unwrap_or_else(|| text.to_owned())
 }
 
 /// Runs a model text. `update` receives the scene of the results so far, as a `Uint8Array`, several times during the run.

@@ -33,10 +33,11 @@ async function json<T>(address: string): Promise<T> {
 
 class Playground {
   private readonly solver = new Solver();
-  private readonly stage = new Stage(element("stage"));
+  private readonly stage = new Stage(element("stage"), (number, to) => void this.move(number, to));
   private readonly editor: ModelEditor;
   private readonly runButton = element<HTMLButtonElement>("run");
   private readonly stopButton = element<HTMLButtonElement>("stop");
+  private readonly dragButton = element<HTMLButtonElement>("drag");
   private readonly table = element<HTMLAnchorElement>("table");
   private readonly list = element<HTMLSelectElement>("example");
   /** Table of the last complete run. */
@@ -58,6 +59,10 @@ class Playground {
     this.list.addEventListener("change", () => this.openExample(this.list.value));
     this.runButton.addEventListener("click", () => void this.run());
     this.stopButton.addEventListener("click", () => this.solver.stop());
+    this.dragButton.addEventListener("click", () => {
+      this.dragButton.setAttribute("aria-pressed", String(!this.isDragging));
+      void this.showHandles();
+    });
     element("share").addEventListener("click", () => void this.share());
     element("save").addEventListener("click", () => this.save());
     window.addEventListener("hashchange", () => void this.openLink());
@@ -134,7 +139,23 @@ class Playground {
     element("problems").replaceChildren(...items);
   }
 
-  private async run(): Promise<void> {
+  private get isDragging(): boolean {
+    return this.dragButton.getAttribute("aria-pressed") === "true";
+  }
+
+  /** Shows the points that one drags, if they are on. */
+  private async showHandles(): Promise<void> {
+    await this.stage.showHandles(this.isDragging ? await this.solver.handles(this.editor.text) : []);
+  }
+
+  /** Moves a point of the model, and runs it in the same view. */
+  private async move(number: number, to: [number, number, number]): Promise<void> {
+    this.editor.text = await this.solver.moved(this.editor.text, number, to);
+    await this.run(true);
+  }
+
+  /** Runs the model, in the open viewer if the view is kept. */
+  private async run(keepsView = false): Promise<void> {
     this.solver.stop();
     const text = this.editor.text;
     this.say("running …");
@@ -144,10 +165,11 @@ class Playground {
         return;
       }
       this.setRunning(true);
-      this.stage.open();
+      if (!keepsView || !this.stage.isOpen) this.stage.open();
       const title = this.list.selectedOptions[0]?.text ?? "model";
       const outcome = await this.solver.run(text, title, { update: (scene) => void this.stage.show(scene) });
       this.show(outcome);
+      await this.showHandles();
     } catch (error) {
       if (error instanceof RunStopped) this.say("stopped");
       else this.say(error instanceof Error ? error.message : String(error), "error");

@@ -11,7 +11,19 @@ export interface Problem {
   message: string;
 }
 
-export type Request = { kind: "check"; text: string } | { kind: "run"; text: string; title: string };
+/** Point of a model that one drags. */
+export interface Handle {
+  name: string;
+  position: [number, number, number];
+  /** Force of a load; null for joints. */
+  force: [number, number, number] | null;
+}
+
+export type Request =
+  | { kind: "check"; text: string }
+  | { kind: "handles"; text: string }
+  | { kind: "move"; text: string; number: number; to: [number, number, number] }
+  | { kind: "run"; text: string; title: string };
 
 /** Results of a complete run. */
 export interface RunOutcome {
@@ -24,6 +36,8 @@ export interface RunOutcome {
 export type Reply =
   | { kind: "ready" }
   | { kind: "checked"; problems: Problem[] }
+  | { kind: "handles"; handles: Handle[] }
+  | { kind: "moved"; text: string }
   | { kind: "update"; scene: Uint8Array<ArrayBuffer> }
   | ({ kind: "done" } & RunOutcome)
   | { kind: "failed"; message: string };

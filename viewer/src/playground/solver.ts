@@ -1,6 +1,6 @@
 // Client of the two workers: one checks the text while it is edited, the other one runs models.
 
-import type { Problem, Reply, Request, RunOutcome } from "./messages";
+import type { Handle, Problem, Reply, Request, RunOutcome } from "./messages";
 
 /** Receiver of the results of a run. */
 export interface RunListener {
@@ -58,14 +58,32 @@ export class Solver {
   }
 
   /** Returns the errors and warnings of a text. */
-  check(text: string): Promise<Problem[]> {
+  async check(text: string): Promise<Problem[]> {
+    const reply = await this.ask({ kind: "check", text });
+    return reply.kind === "checked" ? reply.problems : [];
+  }
+
+  /** Returns the points of a text that one drags. */
+  async handles(text: string): Promise<Handle[]> {
+    const reply = await this.ask({ kind: "handles", text });
+    return reply.kind === "handles" ? reply.handles : [];
+  }
+
+  /** Returns a text in which a point that one drags has moved. */
+  async moved(text: string, number: number, to: [number, number, number]): Promise<string> {
+    const reply = await this.ask({ kind: "move", text, number, to });
+    return reply.kind === "moved" ? reply.text : text;
+  }
+
+  /** Sends a request with one reply to the checker, after those before it. */
+  private ask(request: Request): Promise<Reply> {
     const one = async () => {
-      let problems: Problem[] = [];
-      await this.checker.request({ kind: "check", text }, (reply) => {
-        if (reply.kind === "checked") problems = reply.problems;
-        return reply.kind === "checked";
+      let answer: Reply = { kind: "ready" };
+      await this.checker.request(request, (reply) => {
+        answer = reply;
+        return true;
       });
-      return problems;
+      return answer;
     };
     const found = this.checking.then(one, one);
     this.checking = found;

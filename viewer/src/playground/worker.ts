@@ -1,11 +1,13 @@
 // Web worker with the solver: checks and runs models. Its page stops a run by ending the worker.
 
-import type { Problem, Reply, Request } from "./messages";
+import type { Handle, Problem, Reply, Request } from "./messages";
 
 /** Module of the solver, as wasm-bindgen writes it. */
 interface SolverModule {
   default(options: { module_or_path: string }): Promise<unknown>;
   check(text: string): string;
+  handle_list(text: string): string;
+  moved_text(text: string, number: number, x: number, y: number, z: number): string;
   run(text: string, title: string, update: (scene: Uint8Array<ArrayBuffer>) => void): RunResult;
 }
 
@@ -38,12 +40,24 @@ function run(module: SolverModule, text: string, title: string): void {
   reply({ kind: "done", scene, csv, sentence, finished }, [scene.buffer]);
 }
 
+function answer(module: SolverModule, request: Request): void {
+  const { text } = request;
+  if (request.kind === "run") {
+    run(module, text, request.title);
+  } else if (request.kind === "handles") {
+    reply({ kind: "handles", handles: JSON.parse(module.handle_list(text)) as Handle[] });
+  } else if (request.kind === "move") {
+    reply({ kind: "moved", text: module.moved_text(text, request.number, ...request.to) });
+  } else {
+    reply({ kind: "checked", problems: JSON.parse(module.check(text)) as Problem[] });
+  }
+}
+
 self.addEventListener("message", async (event: MessageEvent<Request>) => {
   const request = event.data;
   try {
     const module = await solver;
-    if (request.kind === "run") run(module, request.text, request.title);
-    else reply({ kind: "checked", problems: JSON.parse(module.check(request.text)) as Problem[] });
+    answer(module, request);
   } catch (error) {
     reply({ kind: "failed", message: error instanceof Error ? error.message : String(error) });
   }

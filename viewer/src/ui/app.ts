@@ -8,6 +8,7 @@ import { Charts } from "../charts/charts";
 import { gridSpacing } from "../draw/ground";
 import { Triad } from "../draw/triad";
 import { Viewport } from "../draw/viewport";
+import { type Handle, type HandleListener, Handles } from "../overlay/handles";
 import { Labels } from "../overlay/labels";
 import { ColourLegend } from "../overlay/legend";
 import { Tooltip } from "../overlay/tooltip";
@@ -46,6 +47,7 @@ export class App {
   /** Text with the spacing of the grid. */
   private readonly gridNote = h("div", { class: "grid-note" });
   private labels: Labels | null = null;
+  private handles: Handles | null = null;
   private abscissa: Abscissa | null = null;
   /** Reference positions of the points of the viewport. */
   private reference: Float32Array = new Float32Array(0);
@@ -129,7 +131,8 @@ export class App {
     }
     const { viewport } = this;
     this.labels = new Labels(viewport, () => this.covered());
-    this.layout.overlay.prepend(this.labels.element);
+    this.handles = new Handles(viewport, () => this.requestDraw());
+    this.layout.overlay.prepend(this.labels.element, this.handles.element);
     viewport.camera.freeAreas = () => freeAreas(viewport.width, viewport.height, this.covered());
     const resize = () => {
       this.coveredCache = null;
@@ -176,9 +179,17 @@ export class App {
     viewport.draw(blend);
     this.triad.draw(viewport.camera.camera);
     labels.draw({ scene, reference, settings, blend });
+    this.handles?.draw();
     // Picking must not delay the frames of a large model during playback.
     if (this.player.playing && scene.stations > MAX_PICKED_STATIONS) this.tooltip.hide();
     else this.tooltip.update(viewport, scene, settings, blend);
+  }
+
+  /** Shows points of the model that the user drags, and the undeformed shape with them. */
+  showHandles(handles: Handle[], moved: HandleListener): void {
+    if (!this.handles || !this.currentScene) return;
+    this.handles.show(handles, this.currentScene, moved);
+    this.settings.set("ghost", handles.length > 0);
   }
 
   /** Moves to an abscissa of the charts. */

@@ -93,6 +93,14 @@ export class Camera {
     return this.camera.position.clone().sub(this.controls.target).normalize().toArray();
   }
 
+  /** Unit vectors to the right and upwards on the screen. */
+  get screenAxes(): [Vector, Vector] {
+    const [right, upward] = [0, 1].map((k) =>
+      new THREE.Vector3().setFromMatrixColumn(this.camera.matrixWorld, k),
+    );
+    return [right.toArray(), upward.toArray()];
+  }
+
   /** Fits the motion into the free area without a change of direction. */
   fit(): void {
     this.lookFrom(new THREE.Vector3(...this.direction));

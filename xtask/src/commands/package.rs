@@ -14,7 +14,7 @@ pub(crate) fn test() -> Done {
         ("lints of Python", "ruff", &["check", "--quiet", "."]),
         ("types", "mypy", &["crates/ancf-py/python/ancf", "crates/ancf-py/tests"]),
         ("stubs", "stubtest", &["ancf._ancf", "--mypy-config-file", "pyproject.toml"]),
-        ("tests of Python", "pytest", &["--quiet"]),
+        ("tests of Python", "pytest", &["--quiet", "--numprocesses", "auto", "--dist", "loadfile"]),
         ("site", "sphinx-build", &["-E", "-W", "--keep-going", "--quiet", "docs", "target/site"]),
     ];
     checks.iter().try_for_each(|(what, program, arguments)| step(&environment, what, program, arguments))

@@ -29,6 +29,9 @@ impl BeamMesh {
         let own = residual(self.term(element), state);
         let of_loads: Vec<_> = loads.iter().map(|load| self.load_rows(state, element, *load)).collect();
         let mut sum = own;
+        if let Some(term) = self.prestrains.term(element) {
+            sum.iter_mut().zip(residual(term, state)).for_each(|(row, force)| *row += force);
+        }
         for forces in &of_loads {
             sum.iter_mut().zip(forces).for_each(|(row, force)| *row -= force);
         }
@@ -237,7 +240,7 @@ pub(super) struct ElementRows {
     own: [f64; LOCAL],
     /// Forces of each load.
     of_loads: Vec<[f64; LOCAL]>,
-    /// Residual of the element and its loads.
+    /// Residual of the element with its prescribed strains, and of its loads.
     sum: [f64; LOCAL],
 }
 

@@ -5,9 +5,10 @@ use ancf_solver::equations::{State, Term};
 use nalgebra::{Matrix3, Vector3};
 
 use super::mesh_element::{ElementList, VectorWeights};
+use super::prestrained::Prestrains;
 use crate::elements::{
     Beam24, Beam27, BeamMaterial, Cable12, CableDamping, CableProfile, CableRule, CableSection, Profile,
-    StrainEnergy, TwoNodeLaw,
+    TwoNodeLaw,
 };
 use crate::kinematics::{
     Attachment, BeamShape, Directions, Marker, NodalVector, QuadraticShape, ReferenceNode, SectionFrame,
@@ -49,7 +50,9 @@ pub struct BeamMesh {
     /// Direction of the y-axis of the first node in the reference state.
     pub(crate) up: Vector3<f64>,
     /// Weight w_y of the section frame at the ends of the elements; ½ if empty.
-    frame_weights: Vec<f64>,
+    pub(super) frame_weights: Vec<f64>,
+    /// Prescribed strains.
+    pub(super) prestrains: Prestrains,
 }
 
 /// Common data of all elements of a mesh.
@@ -123,7 +126,20 @@ impl BeamMesh {
             TwoNodeLaw::Continuum => parameters.frame_weights(nodes.len()),
             TwoNodeLaw::Enhanced | TwoNodeLaw::Linked => Vec::new(),
         };
-        Self { first, length, slope, elements, origin, reference, lame, elasticity, up, frame_weights }
+        let prestrains = Prestrains::default();
+        Self {
+            first,
+            length,
+            slope,
+            elements,
+            origin,
+            reference,
+            lame,
+            elasticity,
+            up,
+            frame_weights,
+            prestrains,
+        }
     }
 
     /// Creates three-node elements on nodes 0 1 2, 2 3 4, and so on.
@@ -144,7 +160,20 @@ impl BeamMesh {
         let (lame, elasticity) = (parameters.medium.lame, StressLaw::Rod { linked: false });
         let elements = Arc::new(elements.collect::<Vec<_>>());
         let (up, frame_weights) = (nodes[0].frame[1], Vec::new());
-        Self { first, length, slope, elements, origin, reference, lame, elasticity, up, frame_weights }
+        let prestrains = Prestrains::default();
+        Self {
+            first,
+            length,
+            slope,
+            elements,
+            origin,
+            reference,
+            lame,
+            elasticity,
+            up,
+            frame_weights,
+            prestrains,
+        }
     }
 
     /// Creates cable elements between consecutive nodes of a straight line, integrated by [`CableRule::Lobatto`].
@@ -171,7 +200,20 @@ impl BeamMesh {
         });
         let elements = Arc::new(elements.collect::<Vec<_>>());
         let (elasticity, up, frame_weights) = (StressLaw::Line, nodes[0].frame[1], Vec::new());
-        Self { first, length, slope, elements, origin, reference, lame, elasticity, up, frame_weights }
+        let prestrains = Prestrains::default();
+        Self {
+            first,
+            length,
+            slope,
+            elements,
+            origin,
+            reference,
+            lame,
+            elasticity,
+            up,
+            frame_weights,
+            prestrains,
+        }
     }
 
     /// Returns true if the body has cross-sections with the directions r_y and r_z. Cables have none.
@@ -207,22 +249,6 @@ impl BeamMesh {
     /// Returns the first coordinate of an element.
     pub fn first_coordinate_of(&self, element: usize) -> usize {
         self.first + 3 * self.stride() * element
-    }
-
-    /// Returns the elements as terms.
-    pub fn terms(&self) -> Vec<Box<dyn Term>> {
-        self.elements.terms()
-    }
-
-    /// Returns the strain energy of all elements by part.
-    pub fn strain_energy(&self, state: &State) -> StrainEnergy {
-        let mut sum = StrainEnergy::default();
-        let (size, stride) = (3 * self.weights(0.0).len(), 3 * self.stride());
-        for element in 0..self.count() {
-            let first = self.first + element * stride;
-            sum += self.elements.strain_energy(element, &state.q[first..first + size]);
-        }
-        sum
     }
 
     pub(crate) fn term(&self, element: usize) -> &dyn Term {

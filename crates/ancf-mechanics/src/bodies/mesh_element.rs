@@ -2,7 +2,9 @@ use std::fmt;
 
 use ancf_solver::equations::Term;
 
-use crate::elements::{Beam24, Beam27, Cable12, StrainEnergy};
+use crate::elements::{
+    Beam24, Beam27, Cable12, ElementPlace, Prestrain, PrestrainTerm, Prestrained, StrainEnergy,
+};
 use crate::kinematics::{BeamShape, Interpolation, QuadraticShape, VectorKind};
 
 /// Kind of a nodal vector, its weight in r, r_y or r_z, and its weights in the directors.
@@ -11,7 +13,7 @@ pub(crate) type VectorWeights = (VectorKind, f64, [f64; 3]);
 /// Element type of a mesh along an axis.
 ///
 /// A new type implements this trait beside [`Term`], and gets a constructor of [`BeamMesh`](super::BeamMesh).
-pub(crate) trait MeshElement: Term + Clone + fmt::Debug + 'static {
+pub(crate) trait MeshElement: Term + Prestrained + Clone + fmt::Debug + 'static {
     /// Kinds of the vectors of a node.
     const NODE: &'static [VectorKind];
 
@@ -117,6 +119,14 @@ pub(crate) trait ElementList: fmt::Debug + Send + Sync {
     /// Returns the strain energy of an element by part at its coordinates.
     fn strain_energy(&self, element: usize, q: &[f64]) -> StrainEnergy;
 
+    /// Creates the term of the strains that sources prescribe for an element.
+    fn prestrained(
+        &self,
+        element: usize,
+        place: ElementPlace,
+        sources: &[Prestrain],
+    ) -> Option<Box<dyn PrestrainTerm>>;
+
     /// Returns ∫ ρ S_i dV of an element for each vector.
     fn first_moments(&self, element: usize) -> &[f64];
 
@@ -148,6 +158,15 @@ impl<E: MeshElement> ElementList for Vec<E> {
 
     fn strain_energy(&self, element: usize, q: &[f64]) -> StrainEnergy {
         self[element].strain_energy(q)
+    }
+
+    fn prestrained(
+        &self,
+        element: usize,
+        place: ElementPlace,
+        sources: &[Prestrain],
+    ) -> Option<Box<dyn PrestrainTerm>> {
+        self[element].prestrained(place, sources)
     }
 
     fn first_moments(&self, element: usize) -> &[f64] {

@@ -7,6 +7,7 @@ mod element_axes;
 mod element_forces;
 mod mesh;
 mod mesh_element;
+mod prestrained;
 mod resultants;
 mod rod_gaps;
 mod section_frames;

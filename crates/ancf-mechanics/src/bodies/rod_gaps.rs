@@ -74,6 +74,10 @@ impl BeamMesh {
         let ends = self.ends(state, element, &rows);
         let loads = self.rod_loads(state, element, ends, &rows);
         let forces = loads.forces;
+        let prestrained = |xi: f64| {
+            let (strain, curvature) = self.prestrain(state, element, xi);
+            section(xi).prestrained(strain, curvature)
+        };
         let [first, end] = [0.0, 1.0].map(|xi| self.placement(state, element, xi));
         let middle = section(0.5);
         let law = {
@@ -90,7 +94,7 @@ impl BeamMesh {
         xi.map(|xi| {
             let last = if xi == 1.0 { end } else { self.placement(state, element, xi) };
             let gap = if tension * slenderness <= TAUT {
-                self.bent_gap(state, (element, xi), &loads, [&first, &last], section)
+                self.bent_gap(state, (element, xi), &loads, [&first, &last], [section, &prestrained])
             } else if is_steep(&loads, slenderness) {
                 RodGap { is_unknown: true, ..RodGap::default() }
             } else {
@@ -100,7 +104,7 @@ impl BeamMesh {
                     moment: [loads.moment, ends[1].moment][k],
                     is_free: !is_end[k],
                 });
-                let string = TautString { length: self.length, section, loads: &loads, ends };
+                let string = TautString { length: self.length, section: &prestrained, loads: &loads, ends };
                 let is_rough = tension * slenderness < STRING;
                 RodGap { is_rough, ..string_gap(&string, last.position - first.position, xi) }
             };
@@ -115,10 +119,10 @@ impl BeamMesh {
         (element, xi): (usize, f64),
         loads: &RodLoads,
         [first, last]: [&Placement; 2],
-        section: &dyn Fn(f64) -> RodSection,
+        [section, prestrained]: [&dyn Fn(f64) -> RodSection; 2],
     ) -> RodGap {
-        let part = |loads| RodPart { length: self.length, section, loads };
-        let (reached, reached_moment) = part(loads).end(first, xi);
+        let part = RodPart { length: self.length, section: prestrained, loads };
+        let (reached, reached_moment) = part.end(first, xi);
         let translation = reached.position - last.position;
         let moments: Vector3<f64> = loads.until(xi).map(|point| point.moment).sum();
         let lever = self.lever(state, element, loads, xi);
@@ -138,9 +142,9 @@ impl BeamMesh {
         };
         if curvature > 0.0 {
             // The error of the integration of the reference shape.
-            let rest = |xi: f64| self.reference_placement(element, xi);
-            let (first, end) = (rest(0.0), rest(xi));
-            let (reached, _) = part(&RodLoads::default()).end(&first, xi);
+            let [first, end] = [0.0, xi].map(|xi| self.reference_placement(element, xi));
+            let rest = RodPart { length: self.length, section, loads: &RodLoads::default() };
+            let (reached, _) = rest.end(&first, xi);
             let turned = |x: Vector3<f64>| last.frame * end.frame.tr_mul(&x);
             gap.translation -= turned(reached.position - end.position);
             gap.rotation -= turned(turn(&reached, &end));
@@ -245,6 +249,9 @@ impl BeamMesh {
         if size > 0.0 {
             let step = STEP / size;
             add_stiffness_product(self.term(element), state, (first, &w), step, forces);
+            if let Some(term) = self.prestrains.term(element) {
+                add_stiffness_product(term, state, (first, &w), step, forces);
+            }
             loads.iter().for_each(|load| add_stiffness_product(*load, state, (first, &w), step, forces));
         }
         let (mut force, mut moment) = (Vector3::zeros(), Vector3::zeros());

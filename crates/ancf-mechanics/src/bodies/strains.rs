@@ -3,7 +3,9 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::mesh::{BeamMesh, StressLaw};
 use crate::kinematics::VectorKind;
-use crate::sections::{DIRECTORS, Directors, Strains, all_strains, linked_strain_terms, local_strain};
+use crate::sections::{
+    DIRECTORS, Directors, STRAINS, Strains, all_strains, linked_strain_terms, local_strain,
+};
 
 /// Strain in a section of a flexible body.
 #[derive(Clone, Copy, Debug)]
@@ -12,17 +14,28 @@ pub struct SectionStrain {
     g0: Directors,
     /// Strains of the pairs of directors.
     products: Strains,
-    /// Stretch ε of a cable, which has no strain in the section.
-    stretch: Option<f64>,
+    /// Prescribed strains of the pairs of directors.
+    prescribed: Strains,
+    /// Stretch ε of a cable, which has no strain in the section, and its prescribed part.
+    stretch: Option<[f64; 2]>,
 }
 
 impl SectionStrain {
     /// Returns the Green-Lagrange strain at (y, z) in the frame of the reference section, or the stretch of a cable.
     pub fn at(&self, [y, z]: [f64; 2]) -> Matrix3<f64> {
-        if let Some(stretch) = self.stretch {
+        if let Some([stretch, _]) = self.stretch {
             return Matrix3::from_diagonal(&Vector3::new(stretch, 0.0, 0.0));
         }
         local_strain(&self.g0, &self.products, y, z)
+    }
+
+    /// Returns the strain less the prescribed one: it determines the stress.
+    fn elastic_at(&self, [y, z]: [f64; 2]) -> Matrix3<f64> {
+        if let Some([stretch, prescribed]) = self.stretch {
+            return Matrix3::from_diagonal(&Vector3::new(stretch - prescribed, 0.0, 0.0));
+        }
+        let elastic = std::array::from_fn(|k| self.products[k] - self.prescribed[k]);
+        local_strain(&self.g0, &elastic, y, z)
     }
 }
 
@@ -30,17 +43,17 @@ impl BeamMesh {
     /// Returns the Green-Lagrange strain and the second Piola-Kirchhoff stress at (y, z) of the section at an arc
     /// length.
     ///
-    /// The components refer to the frame of the reference section. The stress follows the formulation. A rod has normal
+    /// The components refer to the frame of the reference section. The stress follows the formulation and the strain less the [prescribed one](Self::prestrain). A rod has normal
     /// stresses E times normal strains, plus the stress of lateral contraction on the axis. Shear stresses are G times
     /// shear strains, without torsion and shear correction factors, which are averages over a section. A cable has
     /// stretch ε and stress E ε.
     pub fn strain_and_stress(&self, state: &State, s: f64, point: [f64; 2]) -> [Matrix3<f64>; 2] {
         let section = self.section_strain(state, s);
-        let strain = section.at(point);
+        let (strain, elastic) = (section.at(point), section.elastic_at(point));
         if section.stretch.is_some() {
-            return [strain, strain * self.lame.young()];
+            return [strain, elastic * self.lame.young()];
         }
-        [strain, self.stress(&strain, &section.at([0.0; 2]))]
+        [strain, self.stress(&elastic, &section.elastic_at([0.0; 2]))]
     }
 
     /// Returns the strain in the section at an arc length.
@@ -53,8 +66,13 @@ impl BeamMesh {
             }
         }
         let is_line = self.elasticity == StressLaw::Line;
-        let stretch = is_line.then(|| (g0[0] + u[0]).norm() / g0[0].norm() - 1.0);
-        SectionStrain { g0, products, stretch }
+        let stretch = is_line.then(|| {
+            let strain = (g0[0] + u[0]).norm() / g0[0].norm() - 1.0;
+            let (element, xi) = self.locate(s);
+            [strain, self.prestrain(state, element, xi).0]
+        });
+        let prescribed = if is_line { [0.0; STRAINS] } else { self.section_prestrains(state, s, &g0) };
+        SectionStrain { g0, products, prescribed, stretch }
     }
 
     /// Returns the stress of a strain. The rod law also depends on the strain on the axis.

@@ -152,12 +152,7 @@ impl<const N: usize, S: Interpolation<N> + Send + Sync> Term for BeamElement<N, 
             station.stiffness::<S>(&g0, &u, v.as_ref(), [1.0, 0.0], &mut h);
             let blocks = StationBlocks::new(station, &h);
             for (column, x) in columns.iter_mut().zip(&relative) {
-                let d = station.directors::<S>(&RelativeVectors::new::<S>(x));
-                let mut force = [Vector3::zeros(); N];
-                station.distribute(&blocks.times(&d), &mut force);
-                column.product.iter_mut().zip(force.iter().flatten()).for_each(|(product, f)| *product += f);
-                let errors = station.director_rounding(&x.map(|x| x.norm()));
-                column.rounding += station.weight * blocks.rounding(&d, &errors);
+                blocks.add_product::<N, S>(station, x, column);
             }
         }
     }

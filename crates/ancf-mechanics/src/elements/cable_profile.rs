@@ -108,6 +108,8 @@ pub struct CableProfile {
     damping: CableDamping,
     gravity: Vector3<f64>,
     axial: Vec<CableStation>,
+    /// Places ξ of the axial stations.
+    axial_places: Vec<f64>,
     bending: Vec<CableStation>,
     mass: [[f64; 4]; 4],
     first: [f64; 4],
@@ -128,8 +130,10 @@ impl CableProfile {
                 }
             }
         }
-        let (damping, axial, bending) = (CableDamping::default(), Vec::new(), Vec::new());
-        Self { shape, section, damping, gravity, axial, bending, mass, first }.with_rule(CableRule::Full)
+        let (damping, axial, axial_places, bending) =
+            (CableDamping::default(), Vec::new(), Vec::new(), Vec::new());
+        Self { shape, section, damping, gravity, axial, axial_places, bending, mass, first }
+            .with_rule(CableRule::Full)
     }
 
     /// Sets the damping.
@@ -144,7 +148,8 @@ impl CableProfile {
         let stations = |points: Vec<(f64, f64)>| {
             points.into_iter().map(|(xi, w)| CableStation::new(self.shape, xi, w)).collect()
         };
-        Self { axial: stations(rule.axial()), bending: stations(rule.bending()), ..self }
+        let axial_places = rule.axial().into_iter().map(|(xi, _)| xi).collect();
+        Self { axial: stations(rule.axial()), axial_places, bending: stations(rule.bending()), ..self }
     }
 
     /// Returns the shape functions.
@@ -180,6 +185,11 @@ impl CableProfile {
     /// Returns the quadrature points of the axial strain.
     pub(crate) fn axial(&self) -> &[CableStation] {
         &self.axial
+    }
+
+    /// Returns the places ξ of the quadrature points of the axial strain.
+    pub(crate) fn axial_places(&self) -> &[f64] {
+        &self.axial_places
     }
 
     /// Returns the quadrature points of the curvature.

@@ -169,7 +169,7 @@ impl<const N: usize> Profile<N> {
             } else {
                 StationLaw::Quadratic(quadratic)
             };
-            BeamStation { weight: w * shape.length(), parts: parts(reach), reference: g0, law, viscosity }
+            BeamStation { xi, weight: w * shape.length(), parts: parts(reach), reference: g0, law, viscosity }
         });
         let (mut mass, mut first) = ([[0.0; N]; N], [0.0; N]);
         for (xi, w) in gauss() {

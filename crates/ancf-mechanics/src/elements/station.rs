@@ -5,7 +5,7 @@ use nalgebra::{Matrix3, Vector3};
 use crate::kinematics::{Interpolation, VectorKind};
 use crate::sections::{
     AA, AB, AC, AD, AE, AH, BB, BC, BD, BE, BK, CC, CD, CE, CK, DD, DE, DH, DIRECTORS, Directors, EE, EH, HH,
-    KK, NO_STIFFNESS, NeoHookean, SectionLaw, Stiffness, add, sum,
+    KK, NO_STIFFNESS, NeoHookean, SectionLaw, Stiffness, Strains, add, sum,
 };
 
 /// Elastic law of a cross-section.
@@ -72,6 +72,8 @@ impl StationLaw {
 /// Quadrature point of the axis with its weight, reference directors and elastic law.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BeamStation<const N: usize> {
+    /// Place ξ in [0, 1].
+    pub(crate) xi: f64,
     /// Gauss weight times the length of the element.
     pub(crate) weight: f64,
     /// Weights of the vectors of the element in the directors.
@@ -102,6 +104,19 @@ pub struct StrainEnergy {
 }
 
 impl StrainEnergy {
+    /// Creates the energy of the parts from the energies of the section strains.
+    pub(crate) fn of_shares(shares: &Strains) -> Self {
+        let sum = |of: &[usize]| of.iter().map(|&k| shares[k]).sum::<f64>();
+        Self {
+            axial: sum(&[AA, AH, HH, KK]),
+            bending: sum(&[AB, AC, BB, BC, CC, DH, EH, BK, CK]),
+            shear: sum(&[AD, AE]),
+            torsion: sum(&[BE, CD]),
+            section: sum(&[BD, CE, DD, DE, EE]),
+            volume: 0.0,
+        }
+    }
+
     /// Returns the sum of the parts.
     pub fn total(&self) -> f64 {
         self.axial + self.bending + self.shear + self.torsion + self.section + self.volume
@@ -249,16 +264,7 @@ impl<const N: usize> BeamStation<N> {
         let StationLaw::Quadratic(law) = &self.law else {
             return StrainEnergy { volume: self.law.energy(g0, u), ..StrainEnergy::default() };
         };
-        let shares = law.shares(g0, u);
-        let sum = |of: &[usize]| of.iter().map(|&k| shares[k]).sum::<f64>();
-        StrainEnergy {
-            axial: sum(&[AA, AH, HH, KK]),
-            bending: sum(&[AB, AC, BB, BC, CC, DH, EH, BK, CK]),
-            shear: sum(&[AD, AE]),
-            torsion: sum(&[BE, CD]),
-            section: sum(&[BD, CE, DD, DE, EE]),
-            volume: 0.0,
-        }
+        StrainEnergy::of_shares(&law.shares(g0, u))
     }
 
     /// Computes elastic and viscous forces of the directors per length. `v` are the velocities of the vectors, if

@@ -122,7 +122,7 @@ impl RodLoads {
 
 /// Part of a rod between the nodes of an element, with known section forces.
 ///
-/// r' = Λ (e₁ + C_n⁻¹ Λᵀ n),  Λ' = Λ [κ⁰ + C_m⁻¹ Λᵀ m]×,  m' = −r' × n − c.
+/// r' = Λ ((1 + ε⁰) e₁ + C_n⁻¹ Λᵀ n),  Λ' = Λ [κ⁰ + C_m⁻¹ Λᵀ m]×,  m' = −r' × n − c.
 ///
 /// Source: Reissner (1981); Simo (1985).
 pub struct RodPart<'a> {
@@ -233,7 +233,7 @@ impl RodPart<'_> {
         let frame = from * Rotation3::from_scaled_axis(u.rotation).matrix();
         let section = (self.section)(xi);
         let [stretch, bend] = section.strains(&frame.tr_mul(force), &frame.tr_mul(&u.moment));
-        let tangent = frame * (Vector3::x() + stretch);
+        let tangent = frame * (Vector3::x() * (1.0 + section.strain) + stretch);
         Unknowns {
             position: tangent,
             rotation: rotation_rate(&u.rotation, &(section.curvature + bend)),
@@ -271,6 +271,7 @@ mod tests {
             stretch: Vector3::new(1e-3, 2e-3, 4e-3),
             bend: Vector3::new(0.5, 0.25, 0.125),
             curvature: Vector3::zeros(),
+            strain: 0.0,
             gyration: Vector3::zeros(),
         }
     }

@@ -11,8 +11,10 @@ pub struct RodSection {
     pub stretch: Vector3<f64>,
     /// Compliances 1/GJ, 1/EI_y and 1/EI_z.
     pub bend: Vector3<f64>,
-    /// Curvature κ⁰ of the reference state: twist about x, bending about y and z.
+    /// Curvature κ⁰ without stress: twist about x, bending about y and z.
     pub curvature: Vector3<f64>,
+    /// Axial strain ε⁰ without stress.
+    pub strain: f64,
     /// Squares of the radii of gyration: polar, of I_y and of I_z.
     pub gyration: Vector3<f64>,
 }
@@ -30,6 +32,7 @@ impl RodSection {
                 1.0 / (young * moments.yy),
             ),
             curvature: Vector3::zeros(),
+            strain: 0.0,
             gyration: Vector3::new(moments.yy + moments.zz, moments.zz, moments.yy) / moments.area,
         }
     }
@@ -42,14 +45,21 @@ impl RodSection {
             stretch: Vector3::new(1.0 / (young * moments.area), 0.0, 0.0),
             bend: Vector3::new(0.0, bend, bend),
             curvature: Vector3::zeros(),
+            strain: 0.0,
             gyration: Vector3::repeat(moments.yy / moments.area),
         }
     }
 
-    /// Sets the reference curvature.
+    /// Sets the curvature without stress.
     #[must_use]
     pub fn curved(self, curvature: Vector3<f64>) -> Self {
         Self { curvature, ..self }
+    }
+
+    /// Adds a strain and a curvature without stress.
+    #[must_use]
+    pub fn prestrained(self, strain: f64, curvature: Vector3<f64>) -> Self {
+        Self { strain: self.strain + strain, curvature: self.curvature + curvature, ..self }
     }
 
     /// Returns the larger compliance of bending.

@@ -54,7 +54,7 @@ struct Layer {
 }
 
 impl TautString<'_> {
-    /// Returns the vector from the start to ξ: ∫ u (1 + |n|/EA) + EI/|n| u″ ds by five Gauss points, and the integrals of the
+    /// Returns the vector from the start to ξ: ∫ u (1 + ε⁰ + |n|/EA) + EI/|n| u″ ds by five Gauss points, and the integrals of the
     /// layers.
     pub fn chord(&self, xi: f64) -> Vector3<f64> {
         let slope = (self.loads.forces[1] - self.loads.forces[0]) / self.length;
@@ -65,7 +65,7 @@ impl TautString<'_> {
             let along = direction.dot(&slope);
             // u″ normal to u, for a linear force.
             let second = (slope - direction * along) * (-2.0 * along / (size * size));
-            direction + force * section.stretch.x + second * (stiffness / size)
+            direction * (1.0 + section.strain) + force * section.stretch.x + second * (stiffness / size)
         };
         let part = |[from, to]: [f64; 2]| -> Vector3<f64> {
             let share = |(x, weight): (f64, f64)| tangent(from + (to - from) * x) * (weight * (to - from));

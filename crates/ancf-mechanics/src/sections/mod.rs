@@ -9,7 +9,7 @@ pub use hyperelastic::{NeoHookean, SectionPoint};
 pub use rod_law::{CrossSection, Moments};
 pub(crate) use rod_law::{linked_strain_terms, local_strain, straight};
 pub(crate) use section_law::{
-    DIRECTORS, NO_STIFFNESS, PAIRS, STRAINS, SectionMatrix, Strains, add, all_strains, sum,
+    DIRECTORS, NO_STIFFNESS, PAIRS, STRAINS, SectionMatrix, Strains, add, all_rates, all_strains, sum,
 };
 pub use section_law::{Directors, Lame, SectionLaw, Stiffness};
 pub(crate) use section_strains::{

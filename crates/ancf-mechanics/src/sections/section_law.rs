@@ -144,14 +144,14 @@ impl SectionLaw {
     /// Computes the rates of the section strains of the directors g with rates v.
     fn rates(&self, g: &Directors, v: &Directors) -> Strains {
         let mut rates = [0.0; STRAINS];
-        for &(k, (i, j), _) in &self.used {
-            rates[k] = if i == j { g[i].dot(&v[i]) } else { g[i].dot(&v[j]) + v[i].dot(&g[j]) };
+        for &(k, pair, _) in &self.used {
+            rates[k] = rate_of(pair, g, v);
         }
         rates
     }
 
     /// Computes the stress resultants n = D ε.
-    fn resultants(&self, strains: &Strains) -> Strains {
+    pub(crate) fn resultants(&self, strains: &Strains) -> Strains {
         let mut n = [0.0; STRAINS];
         for &(k, _, d) in &self.used {
             n[k] = d * strains[k];
@@ -315,6 +315,17 @@ impl SectionLaw {
 /// Computes all section strains of the increment u from the reference directors g0.
 pub(crate) fn all_strains(g0: &Directors, u: &Directors) -> Strains {
     PAIRS.map(|pair| strain_of(pair, g0, u))
+}
+
+/// Computes the rates of all section strains of the directors g with rates v.
+pub(crate) fn all_rates(g: &Directors, v: &Directors) -> Strains {
+    PAIRS.map(|pair| rate_of(pair, g, v))
+}
+
+/// Computes the rate of the section strain of a pair of directors.
+#[inline]
+fn rate_of((i, j): (usize, usize), g: &Directors, v: &Directors) -> f64 {
+    if i == j { g[i].dot(&v[i]) } else { g[i].dot(&v[j]) + v[i].dot(&g[j]) }
 }
 
 /// Computes the section strain of a pair of directors.

@@ -105,6 +105,7 @@ fn recorded(probe: &Probe) -> String {
     let words = probe.record.iter().map(|quantity| match quantity {
         Quantity::Motion => "motion",
         Quantity::Rotation => "rotation",
+        Quantity::InertialSensor => "inertial sensor",
         Quantity::SectionForces => "section forces",
         Quantity::Strain => "strain",
         Quantity::Stress => "stress",

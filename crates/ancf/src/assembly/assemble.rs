@@ -5,7 +5,9 @@ use std::collections::BTreeSet;
 use ancf_mechanics::kinematics::{Attachment, BodyVector, Marker};
 use ancf_solver::equations::{System, Term};
 
-use super::assembled::{Assembly, RecordedQuantity};
+use nalgebra::Vector3;
+
+use super::assembled::{Assembly, OwnedTerms, RecordedQuantity};
 use super::loads::InnerLoads;
 use crate::errors::ModelErrors;
 use crate::model::{IndexedModel, Probe, TimeMode};
@@ -16,18 +18,25 @@ impl IndexedModel<'_> {
     /// # Errors
     /// If gaps cannot be closed.
     pub(crate) fn assembled(&self, time_mode: TimeMode) -> Result<Assembly, ModelErrors> {
-        let bodies = self.meshes();
+        let bodies = self.prestrained(self.meshes(), time_mode);
         let joints = self.joint_equations(&bodies, time_mode);
         let mut terms: Vec<Box<dyn Term>> = bodies.iter().flat_map(|(_, body)| body.terms()).collect();
         let first_joint = terms.len();
         let mut nodal = Vec::new();
+        let mut owned = OwnedTerms::default();
         for (joint, equations) in self.joints.iter().zip(&joints) {
+            let first = terms.len();
             terms.extend(equations.terms());
+            owned.joints.push(first..terms.len());
             nodal.resize(terms.len() - first_joint, self.connects_nodes(&bodies, joint));
         }
         terms.extend(self.coupling_terms(&bodies, &joints));
         let first_load = terms.len();
-        terms.extend(self.load_terms(&bodies, time_mode));
+        for of_load in self.load_terms(&bodies, time_mode) {
+            let first = terms.len();
+            terms.extend(of_load);
+            owned.loads.push(first..terms.len());
+        }
         let is_nodal = |index: usize| nodal.get(index - first_joint).copied().unwrap_or(false);
         let inner_loads = InnerLoads::new(&bodies, &terms, [first_joint, first_load], is_nodal);
         let probes = self
@@ -65,6 +74,8 @@ impl IndexedModel<'_> {
             breaks,
             inputs,
             inner_loads,
+            owned,
+            gravity: Vector3::from(self.gravity),
         };
         let assembly = assembly.sharing();
         let closed = if self.assemble { Some(self.close(&assembly)?) } else { None };

@@ -1,4 +1,5 @@
 use std::collections::BTreeSet;
+use std::ops::Range;
 
 use ancf_mechanics::bodies::{BeamMesh, BodyTerms};
 use ancf_mechanics::constraints::Wrench;
@@ -6,6 +7,7 @@ use ancf_mechanics::kinematics::{Attachment, BodyVector, VectorKind};
 use ancf_mechanics::shells::ShellMesh;
 use ancf_solver::equations::{EquationsOfMotion, State, System};
 use ancf_solver::newton::SolveError;
+use nalgebra::Vector3;
 
 use super::inputs::{Inputs, NoNumber};
 use super::loads::InnerLoads;
@@ -34,6 +36,16 @@ pub struct Assembly {
     pub(crate) breaks: Vec<f64>,
     pub(crate) inputs: Inputs,
     pub(crate) inner_loads: InnerLoads,
+    pub(crate) owned: OwnedTerms,
+    /// Acceleration of gravity.
+    pub(crate) gravity: Vector3<f64>,
+}
+
+/// Terms of the system of each joint and load, in the order of the model.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct OwnedTerms {
+    pub(crate) joints: Vec<Range<usize>>,
+    pub(crate) loads: Vec<Range<usize>>,
 }
 
 /// One quantity that a probe records.

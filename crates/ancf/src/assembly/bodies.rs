@@ -6,7 +6,8 @@ use ancf_mechanics::kinematics::Attachment;
 use ancf_mechanics::shells::{ShellMedium, ShellMesh};
 use nalgebra::Vector3;
 
-use crate::model::{Beam, Body, IndexedModel, MaterialLaw, Place, Shell};
+use crate::loads::{Load, rigidity};
+use crate::model::{Beam, Body, IndexedModel, MaterialLaw, Place, Shell, TimeMode};
 
 impl IndexedModel<'_> {
     /// Bodies as terms. Coordinates and multipliers are numbered consecutively.
@@ -18,6 +19,28 @@ impl IndexedModel<'_> {
             (body.name().to_owned(), mesh)
         });
         meshes.collect()
+    }
+
+    /// Adds the strains that loads prescribe to the bodies.
+    pub(super) fn prestrained(
+        &self,
+        mut bodies: Vec<(String, BodyTerms)>,
+        time_mode: TimeMode,
+    ) -> Vec<(String, BodyTerms)> {
+        for (body, (name, terms)) in self.bodies.iter().zip(&mut bodies) {
+            let source = |load: &Load| {
+                let Load::Prestrain(load) = load else { return None };
+                let ends = [rigidity(body, 0.0, self)?, rigidity(body, 1.0, self)?];
+                (load.body == *name).then(|| load.source(body, ends, time_mode.function(&load.time)))
+            };
+            let sources: Vec<_> = self.loads.iter().filter_map(source).collect();
+            if let BodyTerms::Flexible(mesh) = terms
+                && !sources.is_empty()
+            {
+                *mesh = mesh.clone().with_prestrains(sources);
+            }
+        }
+        bodies
     }
 
     fn body(&self, body: &Body, first: [usize; 2]) -> BodyTerms {

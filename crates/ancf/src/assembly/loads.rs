@@ -55,19 +55,19 @@ impl InnerLoads {
 }
 
 impl IndexedModel<'_> {
-    /// Terms of all loads, in the order of the model.
+    /// Terms of each load, in the order of the model.
     pub(crate) fn load_terms(
         &self,
         bodies: &[(String, BodyTerms)],
         time_mode: TimeMode,
-    ) -> Vec<Box<dyn Term>> {
+    ) -> Vec<Vec<Box<dyn Term>>> {
         let attach = |place: &Place| self.attachment(bodies, place);
         let terms = |load: &Load| {
             let mut builder = LoadBuilder::new(self, bodies, &attach, time_mode);
             load.kind().build(&mut builder);
             builder.finish()
         };
-        self.loads.iter().flat_map(terms).collect()
+        self.loads.iter().map(terms).collect()
     }
 
     /// True if a joint connects two nodes of one body. It does not act between the nodes of an element.

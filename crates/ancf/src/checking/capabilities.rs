@@ -32,6 +32,7 @@ pub(crate) fn capabilities(model: &IndexedModel<'_>) -> Vec<Finding> {
         let of = |quantity: &Quantity| match quantity {
             Quantity::Motion => None,
             Quantity::Rotation => Some((Capability::Section, "a rotation")),
+            Quantity::InertialSensor => Some((Capability::Section, "an inertial sensor")),
             Quantity::SectionForces => Some((Capability::Strain, "section forces")),
             Quantity::Strain => Some((Capability::Strain, "strain")),
             Quantity::Stress => Some((Capability::Strain, "stress")),

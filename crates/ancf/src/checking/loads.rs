@@ -2,7 +2,7 @@
 
 use super::findings::unknown_body;
 use crate::errors::{Finding, finding, quoted};
-use crate::model::{About, Analysis, IndexedModel, Load, loads_of};
+use crate::model::{About, Analysis, IndexedModel, Load, Probe, Quantity, loads_of};
 
 /// Checks that named bodies exist, and the checks of the kinds of loads.
 pub(crate) fn kinds(model: &IndexedModel<'_>) -> Vec<Finding> {
@@ -56,6 +56,21 @@ pub(crate) fn bases(model: &IndexedModel<'_>) -> Vec<Finding> {
         Some(finding(format!("{path}.kind"), found, expected).rests_on(["loads".into()]))
     };
     loads_of(model).filter_map(base).collect()
+}
+
+/// Rejects inertial sensors on a moving ground: they would lack its acceleration and rotation.
+pub(crate) fn sensors(model: &IndexedModel<'_>) -> Vec<Finding> {
+    let moves = |(_, load): (_, &Load)| matches!(load, Load::BaseRotation(_) | Load::BaseAcceleration(_));
+    if !loads_of(model).any(moves) {
+        return Vec::new();
+    }
+    let is_sensor = |probe: &(usize, &Probe)| probe.1.record.contains(&Quantity::InertialSensor);
+    let found = "\"inertial_sensor\" on a moving ground";
+    let expected = "no motion of the ground, or \"motion\" and \"rotation\", which are relative to it";
+    let error = |(i, _): (usize, &Probe)| {
+        finding(format!("probes[{i}].record"), found, expected).rests_on(["loads".into()])
+    };
+    model.probes.iter().enumerate().filter(is_sensor).map(error).collect()
 }
 
 /// Rejects modes on a rotating ground without Coriolis forces, or about a state without centrifugal forces.

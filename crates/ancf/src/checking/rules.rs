@@ -50,6 +50,7 @@ pub(crate) fn broken_rules(model: &Model) -> Vec<Finding> {
         super::loads::fluids,
         super::loads::bases,
         super::loads::rotating_modes,
+        super::loads::sensors,
     ];
     let of_joints = [
         super::joints::axes,

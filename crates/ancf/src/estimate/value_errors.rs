@@ -186,7 +186,11 @@ impl<'a> ValueErrors<'a> {
                 Some((0..4).map(value).collect())
             }
             Quantity::SectionForces => self.of_section_forces(probe, gap),
-            Quantity::Strain | Quantity::Stress | Quantity::Resultants | Quantity::SurfaceStress => None,
+            Quantity::Strain
+            | Quantity::Stress
+            | Quantity::InertialSensor
+            | Quantity::Resultants
+            | Quantity::SurfaceStress => None,
         }
     }
 

@@ -10,6 +10,7 @@ use super::fluid::Fluid;
 use super::parts::{CustomLoad, LoadKind};
 use super::point_force::PointForce;
 use super::point_moment::PointMoment;
+use super::prestrain::Prestrain;
 use super::surface::{EdgeForce, EdgeMoment, SurfaceForce, SurfacePressure};
 use crate::model::{Place, TimeFunction};
 use crate::units::{Scaled, Scales};
@@ -67,6 +68,7 @@ load_kinds! {
     BaseAcceleration(BaseAcceleration),
     BaseRotation(BaseRotation),
     Fluid(Fluid),
+    Prestrain(Prestrain),
     External(ExternalLoad),
 }
 

@@ -12,6 +12,7 @@ mod load;
 mod parts;
 mod point_force;
 mod point_moment;
+mod prestrain;
 mod surface;
 
 pub use crate::model::Capability;
@@ -25,4 +26,6 @@ pub use load::Load;
 pub use parts::{AxisPart, CustomLoad, LoadBuilder, LoadContext, LoadKind, LoadObject};
 pub use point_force::PointForce;
 pub use point_moment::PointMoment;
+pub use prestrain::Prestrain;
+pub(crate) use prestrain::rigidity;
 pub use surface::{EdgeForce, EdgeMoment, SurfaceForce, SurfacePressure};

@@ -10,7 +10,7 @@ use crate::joints::{Coupled, JointContext, JointCoordinate};
 use crate::loads::LoadContext;
 use crate::model::Model;
 use crate::model::bodies::{Body, Place};
-use crate::model::sections::Section;
+use crate::model::sections::{Material, Section};
 
 /// Model with an index of its names: bodies and joints are found in constant time.
 ///
@@ -155,6 +155,10 @@ impl LoadContext for IndexedModel<'_> {
 
     fn section_at(&self, body: &Body, fraction: f64) -> Option<Section> {
         Model::section_at(self, body, fraction)
+    }
+
+    fn material(&self, name: &str) -> Option<&Material> {
+        self.materials.get(name)
     }
 
     fn gravity(&self) -> [f64; 3] {

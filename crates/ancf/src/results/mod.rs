@@ -4,6 +4,7 @@ mod angle_counter;
 mod body_motion;
 mod column;
 mod fields;
+mod powers;
 mod rows;
 mod section_forces;
 

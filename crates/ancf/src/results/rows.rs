@@ -2,12 +2,13 @@ use ancf_mechanics::bodies::CarriedFrame;
 use ancf_mechanics::constraints::Wrench;
 use ancf_mechanics::elements::StrainEnergy;
 use ancf_solver::equations::{Energy, Power, State};
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 use serde::{Deserialize, Serialize};
 
 use super::angle_counter::{AngleCounter, AngleHistory, AngleRates};
 use super::body_motion;
 use super::column::Column;
+use super::powers;
 use crate::assembly::Assembly;
 use crate::model::Quantity;
 use crate::units::{Dimension, Scales, UnitQuantity};
@@ -19,6 +20,7 @@ use crate::units::{Dimension, Scales, UnitQuantity};
 /// | `t`, in statics `load` | time, load factor |
 /// | `p.x p.y p.z`, `p.vx ..`, `p.ax ..` | motion of each probe `p`: position, velocity, acceleration |
 /// | `p.e0 p.e1 p.e2 p.e3`, `p.wx p.wy p.wz` | Euler parameters of the rotation from the reference state, angular velocity |
+/// | `p.imu_ax p.imu_ay p.imu_az`, `p.imu_wx ..` | acceleration less gravity and angular velocity along the axes of the section or the rigid body |
 /// | `p.N p.Qy p.Qz p.T p.My p.Mz` | section forces: those of the part at larger arc lengths on the part at smaller ones |
 /// | `p.exx p.eyy p.ezz p.exy p.exz p.eyz` | Green strain, in the section frame |
 /// | `p.sxx ..` | second Piola-Kirchhoff stress |
@@ -31,6 +33,7 @@ use crate::units::{Dimension, Scales, UnitQuantity};
 /// | `j.length j.speed` | distance joints and springs: distance of the ends, and its rate |
 /// | `b.axial b.bending b.shear b.torsion b.section b.volume` | strain energy of each body `b` by part, on request |
 /// | `b.cx b.cy b.cz`, `b.px ..`, `b.lx ..`, `b.kinetic b.strain` | mass center, linear and angular momentum about the origin, energies of each body `b`, on request |
+/// | `j.power`, `loads[0].power` | dynamics: power of each joint and load on the bodies, on request |
 /// | `cx cy cz`, `px ..`, `lx ..` | mass center and momenta of the model, on request |
 /// | `p.x_error ..`, `j.fx_error ..` | estimated errors, exact less computed, on request; NaN if they are not known |
 /// | `iterations`, ... | solver values of each state |
@@ -106,6 +109,9 @@ pub(crate) fn columns(assembly: &Assembly, first: &str, solver: &[&str]) -> Vec<
         columns.extend(energies.map(|column| column.with_quantity(UnitQuantity::Energy)));
     }
     columns.extend(body_motion::columns(assembly));
+    if first == TIME {
+        columns.extend(powers::columns(assembly));
+    }
     columns.extend(solver.iter().map(|&name| Column::new(name, None)));
     // Statics has no time history, so no energy balance.
     let balance: &[&str] = if first == TIME { &["work", "dissipated", "balance"] } else { &[] };
@@ -127,7 +133,11 @@ fn error_columns(assembly: &Assembly) -> Vec<Column> {
             Quantity::Motion => 3,
             Quantity::Rotation => 4,
             Quantity::SectionForces => 6,
-            Quantity::Strain | Quantity::Stress | Quantity::Resultants | Quantity::SurfaceStress => 0,
+            Quantity::Strain
+            | Quantity::Stress
+            | Quantity::InertialSensor
+            | Quantity::Resultants
+            | Quantity::SurfaceStress => 0,
         };
         values.extend(columns_of_probe(&probe.name, probe.quantity).into_iter().take(count));
     }
@@ -165,6 +175,11 @@ fn columns_of_probe(name: &str, quantity: Quantity) -> Vec<Column> {
         }
         Quantity::Strain => of(&["exx", "eyy", "ezz", "exy", "exz", "eyz"], Dimension::NUMBER),
         Quantity::Stress => of(&["sxx", "syy", "szz", "sxy", "sxz", "syz"], Dimension::STRESS),
+        Quantity::InertialSensor => {
+            let rates = of(&["imu_wx", "imu_wy", "imu_wz"], Dimension::RATE).into_iter();
+            let rates = rates.map(|rate| rate.with_quantity(UnitQuantity::Angle)).collect();
+            [of(&["imu_ax", "imu_ay", "imu_az"], Dimension::ACCELERATION), rates].concat()
+        }
         Quantity::Resultants => [
             of(&["nuu", "nvv", "nuv"], Dimension::FORCE_PER_LENGTH),
             of(&["muu", "mvv", "muv"], Dimension::FORCE),
@@ -226,6 +241,9 @@ impl Rows {
             }
         }
         body_motion::fill(assembly, s, &self.scales, &mut self.row);
+        if exchanged.is_some() {
+            powers::fill(assembly, s, &self.scales, &mut self.row);
+        }
         self.row.extend(solver);
         for part in [energy.kinetic, energy.strain, energy.potential] {
             self.push(part, Dimension::ENERGY);
@@ -300,6 +318,14 @@ impl Rows {
                     if let Some((parameters, velocity)) = probe.place.rotation(s) {
                         self.row.extend(parameters);
                         self.extend(velocity, Dimension::RATE);
+                    }
+                }
+                Quantity::InertialSensor => {
+                    if let Some(([w, x, y, z], velocity)) = probe.place.rotation(s) {
+                        let turn = UnitQuaternion::from_quaternion(Quaternion::new(w, x, y, z)).inverse();
+                        let acceleration = probe.place.point.acceleration(s) - assembly.gravity;
+                        self.extend(turn * acceleration, Dimension::ACCELERATION);
+                        self.extend(turn * velocity, Dimension::RATE);
                     }
                 }
                 Quantity::SectionForces => {

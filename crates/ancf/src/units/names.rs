@@ -29,6 +29,8 @@ pub enum UnitQuantity {
     Other,
     /// Energy or work: J for N m.
     Energy,
+    /// Power: W for N m/s.
+    Power,
     /// Angle or angular velocity: rad for a number.
     Angle,
     /// Frequency: Hz for 1/s.
@@ -41,6 +43,7 @@ impl Units {
         let unit = self.of(dimension);
         match (quantity, unit.as_str()) {
             (UnitQuantity::Energy, "N m") => "J".to_owned(),
+            (UnitQuantity::Power, "N m/s") => "W".to_owned(),
             (UnitQuantity::Frequency, "1/s") => "Hz".to_owned(),
             (UnitQuantity::Angle, rate) => format!("rad{}", rate.trim_start_matches('1')),
             _ => unit,

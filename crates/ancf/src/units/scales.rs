@@ -39,6 +39,8 @@ impl Dimension {
     pub const FORCE_PER_LENGTH: Self = Self::new(-1, 0, 1);
     /// F L, of moments and of energies.
     pub const ENERGY: Self = Self::new(1, 0, 1);
+    /// F L/T, of powers.
+    pub const POWER: Self = Self::new(1, -1, 1);
     /// F/L², of moduli and of stresses.
     pub const STRESS: Self = Self::new(-2, 0, 1);
     /// Mass per volume, F T²/L⁴.

@@ -14,6 +14,8 @@ VECTORS: dict[str, tuple[str, ...]] = {
     "acceleration": ("ax", "ay", "az"),
     "rotation": ("e0", "e1", "e2", "e3"),
     "angular_velocity": ("wx", "wy", "wz"),
+    "accelerometer": ("imu_ax", "imu_ay", "imu_az"),
+    "gyroscope": ("imu_wx", "imu_wy", "imu_wz"),
     "section_forces": ("N", "Qy", "Qz", "T", "My", "Mz"),
     "strain": ("exx", "eyy", "ezz", "exy", "exz", "eyz"),
     "stress": ("sxx", "syy", "szz", "sxy", "sxz", "syz"),

@@ -92,6 +92,8 @@ class Probe(View):
         "acceleration",
         "rotation",
         "angular_velocity",
+        "accelerometer",
+        "gyroscope",
         "section_forces",
         "strain",
         "stress",
@@ -138,6 +140,16 @@ class Probe(View):
     def strain(self) -> Array:
         """Green-Lagrange strain xx, yy, zz, xy, xz, yz in the frame of the section."""
         return self._columns.vector(self.name, "strain")
+
+    @property
+    def accelerometer(self) -> Array:
+        """Acceleration less gravity along the axes of the section or the rigid body; length/time²."""
+        return self._columns.vector(self.name, "accelerometer")
+
+    @property
+    def gyroscope(self) -> Array:
+        """Angular velocity along the axes of the section or the rigid body; 1/time."""
+        return self._columns.vector(self.name, "gyroscope")
 
     @property
     def stress(self) -> Array:

@@ -1,4 +1,4 @@
-use crate::model::{Body, Section};
+use crate::model::{Body, Material, Section};
 
 /// Properties of the model on which checks and terms of a load depend.
 pub trait LoadContext {
@@ -10,6 +10,9 @@ pub trait LoadContext {
 
     /// Section of a flexible body at a fraction of its length, from 0 to 1.
     fn section_at(&self, body: &Body, fraction: f64) -> Option<Section>;
+
+    /// Material of a name.
+    fn material(&self, name: &str) -> Option<&Material>;
 
     /// Acceleration of gravity.
     fn gravity(&self) -> [f64; 3];

@@ -50,6 +50,9 @@ pub enum Quantity {
     Strain,
     /// Second Piola-Kirchhoff stress at the point: `sxx` and so on.
     Stress,
+    /// Readings of an inertial sensor at the point, along axes that turn with the section or the rigid body and are the global ones in
+    /// the undeformed state: acceleration less gravity, `imu_ax`, `imu_ay`, `imu_az`, and angular velocity, `imu_wx`, `imu_wy`, `imu_wz`.
+    InertialSensor,
     /// Membrane forces and moments per length of a shell: `nuu`, `nvv`, `nuv`, `muu`, `mvv`, `muv`. Components are those in the
     /// orthonormal frame of the undeformed surface: u along ∂r/∂u, v normal to it. Moments are positive for tension at the top, the side of the normal.
     Resultants,
@@ -75,6 +78,8 @@ pub struct Output {
     /// True to record the mass center, the linear and angular momentum about the origin, the kinetic and the strain energy of
     /// each body, and the first three of the model.
     pub momentum: bool,
+    /// True to record the power of each joint and load on the bodies, in dynamics.
+    pub power: bool,
     /// True to estimate the errors of the recorded values in each state, columns `p.x_error` and so on: exact less computed. In
     /// dynamics those of the time steps and of the mesh, where the run takes two to three times as long. In statics those of the
     /// mesh.
@@ -95,6 +100,7 @@ impl Default for Output {
             every: 1,
             energy_parts: false,
             momentum: false,
+            power: false,
             errors: false,
             csv: true,
             parquet: true,

@@ -233,6 +233,7 @@ loads = [
   {{ kind = "base_acceleration", acceleration = [0, 0, 1], {time} }},
   {{ kind = "base_rotation", angular_velocity = [0, 0, 1], {time} }},
   {{ kind = "fluid", bodies = ["b"], density = 1, drag = [1, 1], {time} }},
+  {{ kind = "prestrain", body = "b", strain = 0.1, {time} }},
   {{ kind = "edge_force", body = "b", edge = "u_end", force = [0, 0, 1], {time} }},
   {{ kind = "edge_moment", body = "b", edge = "u_end", moment = [0, 0, 1], {time} }},
   {{ kind = "surface_force", body = "b", force = [0, 0, 1], {time} }},

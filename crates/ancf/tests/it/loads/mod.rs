@@ -5,5 +5,6 @@ mod fluid;
 mod functions;
 mod line_loads;
 mod moments;
+mod prestrain;
 mod supplied;
 mod variations;

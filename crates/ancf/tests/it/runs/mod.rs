@@ -8,4 +8,5 @@ mod failures;
 mod given_states;
 mod observers;
 pub(crate) mod recorder;
+mod sensors;
 mod turns;

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use ancf::mechanics::bodies::BodyTerms;
-use ancf::mechanics::elements::{CableDamping, RigidBody};
+use ancf::mechanics::elements::{CableDamping, Prestrain, RigidBody};
 use ancf::mechanics::forces::{ExternalForce, FollowerForce, Moment};
 use ancf::mechanics::functions::{ForceFunction, Function};
 use ancf::mechanics::inertia::{FrameInertia, FrameRotation};
@@ -131,6 +131,26 @@ fn rotating_frames() -> impl Iterator<Item = TermCase> {
     })
 }
 
+/// Prescribed strains of an element of each interpolation, varying along it and in time.
+fn prestrains() -> impl Iterator<Item = TermCase> {
+    meshes().into_iter().map(|(name, mesh)| {
+        let length = mesh.length();
+        let source = |strain, curvature, function| Prestrain {
+            ends: [0.0, length],
+            strain,
+            curvature: if name == "cable" { [Vector3::zeros(); 2] } else { curvature },
+            function,
+        };
+        let curvature = [Vector3::new(0.3, -0.2, 0.4), Vector3::new(-0.1, 0.5, 0.2)];
+        let mesh = mesh.with_prestrains(vec![
+            source([0.1, 0.2], curvature, Function::Sine { frequency: 0.4, phase: 0.3 }),
+            source([-0.05, 0.1], [Vector3::new(0.1, 0.2, 0.0); 2], Function::ONE),
+        ]);
+        let term = mesh.terms().pop().expect("a term of the last element");
+        TermCase { name: format!("preloaded by prestrain, {name}"), term, kind: TermKind::Smooth }
+    })
+}
+
 /// Returns all terms under test.
 pub(super) fn terms() -> Vec<TermCase> {
     let gravity = Vector3::new(0.3, -2.0, 0.7);
@@ -148,5 +168,10 @@ pub(super) fn terms() -> Vec<TermCase> {
     });
     let free = beams(gravity).chain(constraints).chain(followers()).chain(cable_elements(gravity));
     let free = free.chain(immersed).chain(joints).chain(rigid_bodies(gravity));
-    free.chain(contact_terms()).chain([external()]).chain(shell_terms()).chain(rotating_frames()).collect()
+    free.chain(contact_terms())
+        .chain([external()])
+        .chain(shell_terms())
+        .chain(rotating_frames())
+        .chain(prestrains())
+        .collect()
 }

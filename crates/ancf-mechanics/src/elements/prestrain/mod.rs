@@ -1,0 +1,11 @@
+//! Prescribed strains of beams and cables: shrinking, heating, growing, pretension.
+
+mod beam;
+mod cable;
+mod source;
+mod term;
+
+pub(crate) use beam::prestrains;
+pub use source::Prestrain;
+pub(crate) use source::{Change, ElementPlace};
+pub(crate) use term::{PrestrainTerm, Prestrained};

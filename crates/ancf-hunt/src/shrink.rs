@@ -135,6 +135,7 @@ fn without_body(model: &mut Model, name: &str) {
     model.loads.retain(|load| match load {
         Load::DistributedForce(line) => line.body != name,
         Load::DistributedMoment(line) => line.body != name,
+        Load::Prestrain(prestrain) => prestrain.body != name,
         Load::Fluid(fluid) => !fluid.bodies.iter().any(|body| body == name),
         other => other.on().is_none_or(|place| place.body != name),
     });
@@ -170,6 +171,9 @@ fn constant(load: &mut Load) {
         Load::Moment(load) => load.time = TimeFunction::default(),
         Load::DistributedForce(load) => (load.time, load.force_end) = (TimeFunction::default(), None),
         Load::DistributedMoment(load) => (load.time, load.moment_end) = (TimeFunction::default(), None),
+        Load::Prestrain(load) => {
+            (load.time, load.strain_end, load.curvature_end) = (TimeFunction::default(), None, None);
+        }
         _ => {}
     }
 }

@@ -231,6 +231,10 @@ impl Frame {
                 load.point = self.point(load.point);
             }
             Load::Fluid(load) => load.current = self.polar(load.current),
+            Load::Prestrain(load) => {
+                load.curvature = self.line_moment(load.curvature, true);
+                load.curvature_end = load.curvature_end.map(|curvature| self.line_moment(curvature, true));
+            }
             Load::EdgeForce(_) | Load::EdgeMoment(_) | Load::SurfaceForce(_) | Load::SurfacePressure(_) => {
                 return None;
             }
@@ -244,7 +248,7 @@ impl Frame {
         if follower { [x[0], x[1], x[2] * self.sign()] } else { self.polar(x) }
     }
 
-    /// Moment per length, in the frame of the section for followers.
+    /// Moment per length or curvature, in the frame of the section for followers.
     fn line_moment(&self, x: [f64; 3], follower: bool) -> [f64; 3] {
         let s = self.sign();
         if follower { [x[0] * s, x[1] * s, x[2]] } else { self.axial(x) }

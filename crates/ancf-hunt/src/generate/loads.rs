@@ -1,4 +1,4 @@
-//! Loads: forces, moments, line loads, base acceleration, fluids.
+//! Loads: forces, moments, line loads, prestrain, base acceleration, fluids.
 
 use serde_json::{Value, json};
 
@@ -17,6 +17,9 @@ pub(super) fn add(draft: &mut Draft) {
         let spot = spots[draft.random.index(spots.len())].clone();
         let load = load(draft, &spot);
         draft.loads.push(load);
+    }
+    if draft.random.chance(0.1) {
+        prestrain(draft);
     }
     if draft.random.chance(0.1) && !draft.is_static() {
         let acceleration = draft.vector(0.3 * draft.sizes.force() / draft.sizes.mass());
@@ -76,6 +79,29 @@ fn load(draft: &mut Draft, spot: &Spot) -> Value {
             load
         }
     }
+}
+
+/// Adds a prestrain of a flexible body, if there is one.
+fn prestrain(draft: &mut Draft) {
+    let spots: Vec<Spot> = draft.spots.iter().filter(|spot| spot.kind.is_flexible()).cloned().collect();
+    if spots.is_empty() {
+        return;
+    }
+    let spot = &spots[draft.random.index(spots.len())];
+    let time = draft.time(false);
+    let strain = rounded(draft.random.within(-0.02, 0.02));
+    let mut load = json!({ "kind": "prestrain", "body": spot.body, "strain": strain, "time": time });
+    if draft.random.chance(0.4) {
+        load["strain_end"] = json!(rounded(draft.random.within(-0.02, 0.02)));
+    }
+    if spot.kind.has_frame() && draft.random.chance(0.6) {
+        let size = magnitude(draft) / draft.sizes.length;
+        load["curvature"] = list(&draft.vector(size));
+        if draft.random.chance(0.4) {
+            load["curvature_end"] = list(&draft.vector(size));
+        }
+    }
+    draft.loads.push(load);
 }
 
 /// Adds a fluid around all flexible bodies.

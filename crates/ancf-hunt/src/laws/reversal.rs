@@ -40,6 +40,7 @@ impl Law for Reversal {
         }
         for load in &mut twin.loads {
             line_load(load, &reversed);
+            prestrain(load, &reversed);
         }
         let mut owners = Vec::new();
         for probe in &mut twin.probes {
@@ -131,6 +132,21 @@ fn line_load(load: &mut Load, reversed: &[(String, f64)]) {
         map(start);
         end.iter_mut().for_each(map);
     }
+}
+
+/// A curvature changes its sign, and so do the axes x and z of the section.
+fn prestrain(load: &mut Load, reversed: &[(String, f64)]) {
+    let Load::Prestrain(load) = load else { return };
+    let Some((_, length)) = reversed.iter().find(|(name, _)| *name == load.body) else { return };
+    (load.from, load.to) = (opposite(load.to, *length), opposite(load.from, *length));
+    if let Some(end) = &mut load.strain_end {
+        std::mem::swap(&mut load.strain, end);
+    }
+    if let Some(end) = &mut load.curvature_end {
+        std::mem::swap(&mut load.curvature, end);
+    }
+    load.curvature[1] = -load.curvature[1];
+    load.curvature_end.iter_mut().for_each(|end| end[1] = -end[1]);
 }
 
 /// Places of joints, loads and probes.

@@ -1,0 +1,132 @@
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::thread;
+use std::time::{Duration, Instant};
+
+use super::program::Program;
+use crate::system::shell::Done;
+
+/// Longest duration of a command.
+const PATIENCE: Duration = Duration::from_secs(300);
+
+/// Folder in which a program is tried.
+#[derive(Debug)]
+pub(super) struct Trial<'a> {
+    /// Program.
+    pub(super) program: &'a Program,
+    /// Folder of models and results. Its name has spaces and letters outside of ASCII.
+    pub(super) folder: PathBuf,
+}
+
+/// End of a command.
+#[derive(Debug)]
+pub(super) struct Ended {
+    /// Exit code.
+    pub(super) code: Option<i32>,
+    /// Standard output.
+    pub(super) stdout: String,
+    /// Standard error.
+    pub(super) stderr: String,
+}
+
+impl Trial<'_> {
+    /// Runs the program and returns its end.
+    pub(super) fn ancf(&self, arguments: &[&str]) -> Result<Ended, String> {
+        finish(self.program.command(&self.folder, arguments))
+    }
+
+    /// Runs the program, which must end with an exit code.
+    pub(super) fn ends(&self, code: i32, arguments: &[&str]) -> Result<Ended, String> {
+        let ended = self.ancf(arguments)?;
+        match ended.code == Some(code) {
+            true => Ok(ended),
+            false => Err(format!("`ancf {}`: expected exit code {code}: {ended:?}", arguments.join(" "))),
+        }
+    }
+
+    /// Runs the program, which must succeed.
+    pub(super) fn done(&self, arguments: &[&str]) -> Result<Ended, String> {
+        self.ends(0, arguments)
+    }
+
+    /// Path in the folder.
+    pub(super) fn path(&self, name: &str) -> PathBuf {
+        self.folder.join(name)
+    }
+
+    /// Reads a file of the folder.
+    pub(super) fn read(&self, name: &str) -> Result<Vec<u8>, String> {
+        fs::read(self.path(name)).map_err(|error| format!("{name}: {error}"))
+    }
+
+    /// Reads a text of the folder.
+    pub(super) fn text(&self, name: &str) -> Result<String, String> {
+        String::from_utf8(self.read(name)?).map_err(|error| format!("{name}: {error}"))
+    }
+
+    /// Writes a file of the folder.
+    pub(super) fn write(&self, name: &str, contents: impl AsRef<[u8]>) -> Done {
+        fs::write(self.path(name), contents).map_err(|error| format!("{name}: {error}"))
+    }
+
+    /// Writes the model of the cantilever with a duration.
+    pub(super) fn cantilever(&self, name: &str, duration: f64) -> Done {
+        let text = include_str!("../../../models/cantilever.toml");
+        let changed = text.replace("duration = 2.0", &format!("duration = {duration:?}"));
+        self.write(name, changed.replace("elements = 20", "elements = 4"))
+    }
+}
+
+/// Runs a command to its end, but not longer than [`PATIENCE`].
+pub(super) fn finish(mut command: Command) -> Result<Ended, String> {
+    command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    let program = command.get_program().display().to_string();
+    let mut child = command.spawn().map_err(|error| format!("cannot run {program}: {error}"))?;
+    let start = Instant::now();
+    let id = child.id();
+    // Pipes are read in a thread, so that a full pipe stops nothing.
+    let (sender, receiver) = std::sync::mpsc::channel();
+    let mut output = (child.stdout.take(), child.stderr.take());
+    thread::spawn(move || {
+        let mut texts = [Vec::new(), Vec::new()];
+        if let Some(stdout) = &mut output.0 {
+            let _ = std::io::Read::read_to_end(stdout, &mut texts[0]);
+        }
+        if let Some(stderr) = &mut output.1 {
+            let _ = std::io::Read::read_to_end(stderr, &mut texts[1]);
+        }
+        let _ = sender.send(texts);
+    });
+    let status = loop {
+        if let Some(status) = child.try_wait().map_err(|error| format!("process {id}: {error}"))? {
+            break status;
+        }
+        if start.elapsed() > PATIENCE {
+            let _ = child.kill();
+            let _ = child.wait();
+            return Err(format!("{program} did not end in {} s", PATIENCE.as_secs()));
+        }
+        thread::sleep(Duration::from_millis(5));
+    };
+    let texts = receiver.recv().map_err(|error| error.to_string())?;
+    let [stdout, stderr] = texts.map(|text| String::from_utf8_lossy(&text).into_owned());
+    Ok(Ended { code: status.code(), stdout, stderr })
+}
+
+/// Fails with a message and the text in which something is missing.
+pub(super) fn expect(holds: bool, what: &str, found: impl std::fmt::Debug) -> Done {
+    if holds { Ok(()) } else { Err(format!("expected {what}, found {found:?}")) }
+}
+
+/// Waits until a file is not empty.
+pub(super) fn wait_for(file: &Path) -> Done {
+    let start = Instant::now();
+    while fs::metadata(file).map_or(0, |file| file.len()) == 0 {
+        if start.elapsed() > PATIENCE {
+            return Err(format!("{} was not written", file.display()));
+        }
+        thread::sleep(Duration::from_millis(20));
+    }
+    Ok(())
+}

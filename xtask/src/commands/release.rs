@@ -94,7 +94,7 @@ fn python(release: &Release) -> Done {
     let source = source::unpacked(release)?;
     let built = build::program(release, &source, None)?;
     let environment = Environment::at(&root().join("target/python"))?;
-    environment.install(["mypy>=1.11", "pyright>=1.1.390"])?;
+    environment.install(["mypy>=1.11", "pyright[nodejs]>=1.1.390"])?;
     let settings = ["--config-settings", &format!("build-args=--locked --profile {}", release.profile)];
     let folder = release.work.join("wheel");
     let file = wheel::build(&environment, &source, &built, &settings, &folder)?;

@@ -12,8 +12,8 @@ use std::env;
 use std::process::ExitCode;
 
 use commands::{
-    benchmark, dependencies, fuzz, hunt, importers, package, pictures, platforms, playground, release, schema, test,
-    viewer,
+    benchmark, dependencies, fuzz, hunt, importers, package, pictures, platforms, playground, release,
+    schema, test, viewer,
 };
 use packages::interface;
 use system::shell::say;

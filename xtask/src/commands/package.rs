@@ -19,7 +19,7 @@ pub(crate) fn test() -> Done {
     let library = built.join("deps").join(format!("{DLL_PREFIX}ancf_fmu{DLL_SUFFIX}"));
     let built = Built { program: built.join(format!("ancf{EXE_SUFFIX}")), library: Some(library) };
     let folder = root().join("target/wheel");
-    let file = wheel::build(&environment, &root(), &built, &[], &folder)?;
+    let file = wheel::build(&environment, &root(), &built, &wheel::Options::default(), &folder)?;
     environment.install(["--force-reinstall", "--no-deps", &file.display().to_string()])?;
     environment.install([format!("{}[test,docs]", file.display())])?;
     wheel::test(&file, &environment, &folder)?;

@@ -104,8 +104,10 @@ pub(super) fn try_musl(release: &Release) -> Done {
 
 /// Checks that a program requires no shared library.
 fn is_static(program: &Path) -> Done {
-    let output = Command::new("ldd").arg(program).output().map_err(|error| format!("cannot run ldd: {error}"))?;
-    let text = String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr);
+    let output =
+        Command::new("ldd").arg(program).output().map_err(|error| format!("cannot run ldd: {error}"))?;
+    let text =
+        String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr);
     match text.contains("statically linked") || text.contains("not a dynamic executable") {
         true => Ok(()),
         false => Err(format!("{} requires shared libraries:\n{text}", program.display())),

@@ -60,11 +60,16 @@ impl Choice {
                 "--dry-run" => is_trial = true,
                 "--profile" => choice.profile.clone_from(value()?),
                 "--only" => choice.only.extend(value()?.split(',').map(str::to_owned)),
-                unknown => return Err(format!("unknown option `{unknown}`, expected --dry-run, --profile, --only")),
+                unknown => {
+                    return Err(format!("unknown option `{unknown}`, expected --dry-run, --profile, --only"));
+                }
             }
         }
         if !is_trial {
-            return Err("expected --dry-run: this command publishes nothing; docs/releasing.md has the steps".to_owned());
+            return Err(
+                "expected --dry-run: this command publishes nothing; docs/releasing.md has the steps"
+                    .to_owned(),
+            );
         }
         let names = PARTS.map(|(name, _)| name);
         match choice.only.iter().find(|name| !names.contains(&name.as_str())) {
@@ -97,7 +102,8 @@ fn python(release: &Release) -> Done {
     environment.install(["mypy>=1.11", "pyright[nodejs]>=1.1.390"])?;
     let settings = ["--config-settings", &format!("build-args=--locked --profile {}", release.profile)];
     let folder = release.work.join("wheel");
-    let file = wheel::build(&environment, &source, &built, &settings, &folder)?;
+    let options = wheel::Options { settings: &settings, variables: &build::variables(release, &source) };
+    let file = wheel::build(&environment, &source, &built, &options, &folder)?;
     wheel::test(&file, &environment, &folder)?;
     crate::packages::release::copy(&file, &release.packages.join(file.file_name().unwrap_or_default()))
 }

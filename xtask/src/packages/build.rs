@@ -1,6 +1,7 @@
 //! Builds of the program and of the library inside FMUs.
 
 use std::env;
+use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -18,7 +19,7 @@ pub(crate) struct Built {
 
 /// Builds the program from a folder of sources, for a target of rustup or for this machine.
 pub(crate) fn program(release: &Release, source: &Path, target: Option<&str>) -> Result<Built, String> {
-    let target_folder = release.work.join("build");
+    let target_folder = build_folder(release);
     let is_static = target.is_some_and(|target| target.ends_with("musl"));
     let mut command = Command::new(env!("CARGO"));
     command.args(["build", "--locked", "--package", "ancf-cli", "--profile", &release.profile]);
@@ -28,9 +29,7 @@ pub(crate) fn program(release: &Release, source: &Path, target: Option<&str>) ->
     if let Some(target) = target {
         command.args(["--target", target]);
     }
-    command.arg("--target-dir").arg(&target_folder).current_dir(source);
-    // Messages of failures name no folder of this machine.
-    command.env("CARGO_ENCODED_RUSTFLAGS", remapped(source));
+    command.envs(variables(release, source)).current_dir(source);
     say(&format!("\n== program for {} by profile {}", target.unwrap_or("this machine"), release.profile));
     run("program", &mut command)?;
     let profile = if release.profile == "dev" { "debug" } else { &release.profile };
@@ -47,6 +46,16 @@ pub(crate) fn program(release: &Release, source: &Path, target: Option<&str>) ->
     })
 }
 
+fn build_folder(release: &Release) -> PathBuf {
+    release.work.join("build")
+}
+
+/// Variables of all builds: one folder of compiled crates, and messages of failures that name no folder of this machine.
+pub(crate) fn variables(release: &Release, source: &Path) -> [(&'static str, OsString); 2] {
+    let folder = build_folder(release).into_os_string();
+    [("CARGO_TARGET_DIR", folder), ("CARGO_ENCODED_RUSTFLAGS", remapped(source).into())]
+}
+
 /// Flags of the compiler that replace folders of this machine in messages.
 fn remapped(source: &Path) -> String {
     let home = env::var_os("HOME").map(PathBuf::from).unwrap_or_default();
@@ -59,7 +68,9 @@ fn remapped(source: &Path) -> String {
 /// Installs a target by rustup.
 pub(crate) fn install_target(target: &str) -> Done {
     let installed = Command::new("rustup").args(["target", "list", "--installed"]).output();
-    if installed.is_ok_and(|output| String::from_utf8_lossy(&output.stdout).lines().any(|line| line == target)) {
+    if installed
+        .is_ok_and(|output| String::from_utf8_lossy(&output.stdout).lines().any(|line| line == target))
+    {
         return Ok(());
     }
     let added = Command::new("rustup").args(["target", "add", target]).output();
@@ -71,7 +82,8 @@ pub(crate) fn install_target(target: &str) -> Done {
 
 /// Target of this machine.
 pub(crate) fn host() -> Result<String, String> {
-    let output = Command::new("rustc").arg("-vV").output().map_err(|error| format!("cannot run rustc: {error}"))?;
+    let output =
+        Command::new("rustc").arg("-vV").output().map_err(|error| format!("cannot run rustc: {error}"))?;
     let text = String::from_utf8_lossy(&output.stdout).into_owned();
     let host = text.lines().find_map(|line| line.strip_prefix("host: "));
     host.map(str::to_owned).ok_or_else(|| "rustc states no host".to_owned())

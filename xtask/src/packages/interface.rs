@@ -46,13 +46,33 @@ pub(crate) fn check(options: &[String]) -> Done {
 fn items(library: &str, rustdoc: &Path) -> Result<String, String> {
     let description = root().join("target/interface");
     let mut command = Command::new(env!("CARGO"));
-    command.args(["rustdoc", "--quiet", "--locked", "--package", library, "--lib", "--", "--output-format", "json"]);
+    command.args([
+        "rustdoc",
+        "--quiet",
+        "--locked",
+        "--package",
+        library,
+        "--lib",
+        "--",
+        "--output-format",
+        "json",
+    ]);
     command.args(["-Z", "unstable-options", "--out-dir"]).arg(&description);
     command.env("RUSTDOC", rustdoc).current_dir(root());
     run(&format!("items of {library}"), &mut command)?;
     let file = description.join(format!("{}.json", library.replace('-', "_")));
     let mut command = Command::new(env!("CARGO"));
-    command.args(["run", "--quiet", "--package", "xtask", "--features", "interface", "--example", "interface", "--"]);
+    command.args([
+        "run",
+        "--quiet",
+        "--package",
+        "xtask",
+        "--features",
+        "interface",
+        "--example",
+        "interface",
+        "--",
+    ]);
     let output = command.arg(file).current_dir(root()).output();
     let output = output.map_err(|error| format!("cannot run cargo: {error}"))?;
     match output.status.success() {
@@ -76,7 +96,8 @@ fn rustdoc() -> Result<PathBuf, String> {
 fn difference(library: &str, before: &str, after: &str) -> String {
     let missing = |from: &str, other: &str, sign: char| {
         let other: std::collections::BTreeSet<_> = other.lines().collect();
-        let lines: Vec<_> = from.lines().filter(|line| !other.contains(line)).map(|line| format!("{sign} {line}")).collect();
+        let lines: Vec<_> =
+            from.lines().filter(|line| !other.contains(line)).map(|line| format!("{sign} {line}")).collect();
         lines
     };
     let lines = [missing(before, after, '-'), missing(after, before, '+')].concat();

@@ -13,7 +13,8 @@ const PROGRAMS: [&str; 2] = ["ancf-cli", "ancf-fmu"];
 /// First words of the names of licence files.
 const NAMES: [&str; 6] = ["LICENSE", "LICENCE", "COPYING", "COPYRIGHT", "NOTICE", "UNLICENSE"];
 /// Licences of parts that are not crates.
-const OTHERS: [&str; 2] = ["crates/ancf-figure/assets/fonts/Arimo-OFL.txt", "crates/ancf-report/assets/licences.txt"];
+const OTHERS: [&str; 2] =
+    ["crates/ancf-figure/assets/fonts/Arimo-OFL.txt", "crates/ancf-report/assets/licences.txt"];
 
 /// Returns the licence texts of all crates of other authors in the program, each text once with the crates that state it.
 ///
@@ -42,7 +43,8 @@ pub(crate) fn third_party(source: &Path, target: &str) -> Result<String, String>
         // Writing to a string cannot fail.
         let _ = write!(document, "\n{}\n{}\n\n{text}\n", "=".repeat(100), names.join("\n"));
     }
-    let _ = write!(document, "\n{}\nCrates without a licence file:\n\n{}\n", "=".repeat(100), without.join("\n"));
+    let _ =
+        write!(document, "\n{}\nCrates without a licence file:\n\n{}\n", "=".repeat(100), without.join("\n"));
     for other in OTHERS {
         let text = fs::read_to_string(source.join(other)).map_err(|error| format!("{other}: {error}"))?;
         let _ = write!(document, "\n{}\n{}\n", "=".repeat(100), text.trim());
@@ -66,7 +68,8 @@ fn linked(metadata: &Value) -> Result<Vec<&Value>, String> {
     let packages: BTreeMap<&str, &Value> =
         list("packages")?.iter().filter_map(|package| Some((package["id"].as_str()?, package))).collect();
     let nodes = metadata["resolve"]["nodes"].as_array().ok_or("cargo metadata: no dependencies")?;
-    let nodes: BTreeMap<&str, &Value> = nodes.iter().filter_map(|node| Some((node["id"].as_str()?, node))).collect();
+    let nodes: BTreeMap<&str, &Value> =
+        nodes.iter().filter_map(|node| Some((node["id"].as_str()?, node))).collect();
     let is_program = |id: &&str| packages[*id]["name"].as_str().is_some_and(|name| PROGRAMS.contains(&name));
     let mut pending: Vec<&str> = packages.keys().copied().filter(is_program).collect();
     let mut seen = BTreeSet::new();

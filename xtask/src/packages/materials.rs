@@ -35,7 +35,9 @@ fn check(release: &Release, file: &Path) -> Done {
             component["name"] == name && version.is_none_or(|version| component["version"] == version)
         })
     };
-    for (name, version) in [("ancf", Some(&*release.version)), ("faer", None), ("parquet", None), ("hyper", None)] {
+    for (name, version) in
+        [("ancf", Some(&*release.version)), ("faer", None), ("parquet", None), ("hyper", None)]
+    {
         if !has(name, version) {
             return Err(format!("{} does not list {name}", file.display()));
         }

@@ -10,8 +10,14 @@ use super::{archive, licences};
 use crate::system::shell::{Done, run};
 
 /// Files of the repository in all archives.
-const DOCUMENTS: [&str; 6] =
-    ["README.md", "CHANGELOG.md", "CITATION.cff", "LICENSE-MIT", "LICENSE-APACHE", "LICENSE-DIRECTION-NUMBERS"];
+const DOCUMENTS: [&str; 6] = [
+    "README.md",
+    "CHANGELOG.md",
+    "CITATION.cff",
+    "LICENSE-MIT",
+    "LICENSE-APACHE",
+    "LICENSE-DIRECTION-NUMBERS",
+];
 /// Scripts of shells and their places.
 const COMPLETIONS: [(&str, &str); 5] = [
     ("bash", "share/bash-completion/completions/ancf"),
@@ -61,7 +67,8 @@ pub(crate) fn write(
     create_empty(&folder)?;
     let is_windows = target.contains("windows");
     // Windows searches for libraries beside the program, and users unpack archives into one folder.
-    let [programs, libraries] = if is_windows { ["", ""] } else { ["bin", "lib"] }.map(|name| folder.join(name));
+    let [programs, libraries] =
+        if is_windows { ["", ""] } else { ["bin", "lib"] }.map(|name| folder.join(name));
     for (file, folder) in [(Some(&built.program), &programs), (built.library.as_ref(), &libraries)] {
         let Some(file) = file else { continue };
         copy(file, &folder.join(file.file_name().unwrap_or_default()))?;

@@ -22,7 +22,8 @@ impl Release {
     /// Returns the release of the workspace. Removes packages of another version.
     pub(crate) fn new(profile: &str) -> Result<Self, String> {
         let manifest = root().join("Cargo.toml");
-        let text = fs::read_to_string(&manifest).map_err(|error| format!("{}: {error}", manifest.display()))?;
+        let text =
+            fs::read_to_string(&manifest).map_err(|error| format!("{}: {error}", manifest.display()))?;
         let manifest: toml::Table = text.parse().map_err(|error| format!("Cargo.toml: {error}"))?;
         let package = manifest["workspace"].get("package");
         let version = package.and_then(|package| package.get("version")).and_then(toml::Value::as_str);

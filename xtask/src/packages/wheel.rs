@@ -1,5 +1,6 @@
 //! Python wheel with the program inside.
 
+use std::ffi::OsString;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -9,6 +10,15 @@ use super::release::{copy, create_empty};
 use crate::system::environment::Environment;
 use crate::system::shell::{Done, root, run, say};
 
+/// Options of the build of the extension.
+#[derive(Debug, Default)]
+pub(crate) struct Options<'a> {
+    /// Options of pip.
+    pub(crate) settings: &'a [&'a str],
+    /// Variables of cargo.
+    pub(crate) variables: &'a [(&'static str, OsString)],
+}
+
 /// Builds the wheel of a folder of sources and adds the program. Returns its path.
 ///
 /// Maturin builds the extension. Programs are data of a wheel: pip installs `scripts` beside Python, and `data` into the root of
@@ -17,14 +27,22 @@ pub(crate) fn build(
     environment: &Environment,
     source: &Path,
     built: &Built,
-    settings: &[&str],
+    options: &Options<'_>,
     folder: &Path,
 ) -> Result<PathBuf, String> {
     let plain = folder.join("plain");
     create_empty(&plain)?;
     let mut command = Command::new(environment.program("python"));
-    command.args(["-m", "pip", "wheel", "--quiet", "--disable-pip-version-check", "--no-deps", "--wheel-dir"]);
-    command.arg(&plain).args(settings).arg(source);
+    command.args([
+        "-m",
+        "pip",
+        "wheel",
+        "--quiet",
+        "--disable-pip-version-check",
+        "--no-deps",
+        "--wheel-dir",
+    ]);
+    command.arg(&plain).args(options.settings).arg(source).envs(options.variables.iter().cloned());
     run("wheel", &mut command)?;
     let wheel = only_entry(&plain)?;
     environment.install(["wheel>=0.40"])?;
@@ -51,7 +69,8 @@ fn add_program(content: &Path, built: &Built) -> Done {
     let data = content.join(format!("{name}.data"));
     let is_windows = built.program.extension().is_some_and(|ending| ending == "exe");
     let libraries = data.join(if is_windows { "scripts" } else { "data/lib" });
-    for (file, folder) in [(Some(&built.program), data.join("scripts")), (built.library.as_ref(), libraries)] {
+    for (file, folder) in [(Some(&built.program), data.join("scripts")), (built.library.as_ref(), libraries)]
+    {
         let Some(file) = file else { continue };
         let to = folder.join(file.file_name().unwrap_or_default());
         copy(file, &to)?;

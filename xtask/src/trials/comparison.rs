@@ -41,7 +41,11 @@ fn table(file: &Path) -> Result<Table, String> {
     for line in lines {
         for ((_, column), cell) in columns.iter_mut().zip(line.split(',')) {
             // Empty cells are values that do not exist.
-            column.push(if cell.is_empty() { f64::NAN } else { cell.parse().map_err(|_| format!("number {cell}"))? });
+            column.push(if cell.is_empty() {
+                f64::NAN
+            } else {
+                cell.parse().map_err(|_| format!("number {cell}"))?
+            });
         }
     }
     Ok(columns)

@@ -73,7 +73,11 @@ pub(super) fn names(trial: &Trial<'_>) -> Done {
 
 pub(super) fn missing(trial: &Trial<'_>) -> Done {
     let ended = trial.ends(2, &["check", "fehlt ä.toml"])?;
-    expect(ended.stderr.contains("fehlt ä.toml") && ended.stderr.contains("no such file"), "the file", &ended)?;
+    expect(
+        ended.stderr.contains("fehlt ä.toml") && ended.stderr.contains("no such file"),
+        "the file",
+        &ended,
+    )?;
     trial.ends(2, &["report", "fehlt ä"]).map(|_| ())
 }
 
@@ -136,7 +140,8 @@ pub(super) fn replaced_while_open(trial: &Trial<'_>) -> Done {
     trial.done(&["run", "statics.toml", "-o", "offen"])?;
     trial.done(&["report", "offen"])?;
     let arguments = ["report", "offen"];
-    let Some(command) = trial.program.by_console(&trial.folder, "hold", "offen/report.html", &arguments) else {
+    let Some(command) = trial.program.by_console(&trial.folder, "hold", "offen/report.html", &arguments)
+    else {
         let _reader = fs::File::open(trial.path("offen/report.html")).map_err(|error| error.to_string())?;
         return trial.done(&arguments).map(|_| ());
     };
@@ -146,7 +151,10 @@ pub(super) fn replaced_while_open(trial: &Trial<'_>) -> Done {
     expect(ended.code == Some(1) && is_explained, "a message about the open file", &ended)?;
     expect(trial.read("offen/report.html")? == before, "the report unchanged", "another file")?;
     let parts = fs::read_dir(trial.path("offen")).into_iter().flatten().flatten();
-    let parts: Vec<_> = parts.map(|entry| entry.file_name()).filter(|name| name.to_string_lossy().ends_with(".part")).collect();
+    let parts: Vec<_> = parts
+        .map(|entry| entry.file_name())
+        .filter(|name| name.to_string_lossy().ends_with(".part"))
+        .collect();
     expect(parts.is_empty(), "no incomplete file", parts)?;
     trial.done(&arguments).map(|_| ())
 }

@@ -13,8 +13,22 @@ pub(super) const TEMPLATES: [&str; 9] =
     ["cantilever", "cable", "pendulum", "mechanism", "contact", "statics", "path", "modes", "buckling"];
 /// Commands with a help.
 const COMMANDS: [&str; 16] = [
-    "new", "check", "run", "resume", "report", "view", "plot", "paraview", "study", "fmu", "scaled", "schema",
-    "paper", "verify", "completions", "man",
+    "new",
+    "check",
+    "run",
+    "resume",
+    "report",
+    "view",
+    "plot",
+    "paraview",
+    "study",
+    "fmu",
+    "scaled",
+    "schema",
+    "paper",
+    "verify",
+    "completions",
+    "man",
 ];
 
 pub(super) fn version(trial: &Trial<'_>) -> Done {
@@ -26,7 +40,11 @@ pub(super) fn help(trial: &Trial<'_>) -> Done {
     let mut all = trial.done(&["--help"])?.stdout;
     for command in COMMANDS {
         let text = trial.done(&[command, "--help"])?.stdout;
-        expect(text.contains(&format!("Usage: ancf {command}")) || text.contains("Usage: ancf"), "usage", &text)?;
+        expect(
+            text.contains(&format!("Usage: ancf {command}")) || text.contains("Usage: ancf"),
+            "usage",
+            &text,
+        )?;
         all += &text;
     }
     trial.write("help.txt", all)

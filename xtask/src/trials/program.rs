@@ -20,7 +20,13 @@ pub(crate) struct Program {
 impl Program {
     /// Program of this system.
     pub(crate) fn native(file: &Path, home: &Path) -> Self {
-        Self { file: file.to_owned(), emulator: None, variables: Vec::new(), console: None, home: home.to_owned() }
+        Self {
+            file: file.to_owned(),
+            emulator: None,
+            variables: Vec::new(),
+            console: None,
+            home: home.to_owned(),
+        }
     }
 
     /// True for a program of Windows.
@@ -36,7 +42,13 @@ impl Program {
     }
 
     /// Command by way of the console program: `action`, a file, and the arguments of `ancf`.
-    pub(crate) fn by_console(&self, folder: &Path, action: &str, file: &str, arguments: &[&str]) -> Option<Command> {
+    pub(crate) fn by_console(
+        &self,
+        folder: &Path,
+        action: &str,
+        file: &str,
+        arguments: &[&str],
+    ) -> Option<Command> {
         let mut command = self.start(self.console.as_deref()?);
         command.args([action, file]).arg(&self.file).args(arguments).current_dir(folder);
         Some(command)

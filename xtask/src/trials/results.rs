@@ -17,7 +17,11 @@ pub(super) fn refinement(trial: &Trial<'_>) -> Done {
     trial.cantilever("kurz.toml", 0.1)?;
     trial.done(&["run", "kurz.toml", "-o", "Fehler", "--errors"])?;
     let header = trial.text("Fehler/probes.csv")?;
-    expect(header.lines().next().is_some_and(|line| line.contains("error")), "columns of errors", header.lines().next())
+    expect(
+        header.lines().next().is_some_and(|line| line.contains("error")),
+        "columns of errors",
+        header.lines().next(),
+    )
 }
 
 pub(super) fn report(trial: &Trial<'_>) -> Done {

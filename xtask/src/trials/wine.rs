@@ -14,7 +14,10 @@ const COMPILER: &str = "x86_64-w64-mingw32-gcc";
 pub(crate) fn install() -> Done {
     for (program, packages) in [(COMPILER, &["gcc-mingw-w64-x86-64"][..]), ("wine", &["wine64", "wine"])] {
         if !debian::has(program) && !packages.iter().all(|package| debian::install(package)) {
-            return Err(format!("{program} is missing and cannot be installed; package: {}", packages.join(", ")));
+            return Err(format!(
+                "{program} is missing and cannot be installed; package: {}",
+                packages.join(", ")
+            ));
         }
     }
     Ok(())
@@ -35,7 +38,8 @@ pub(crate) fn program(file: &Path, folder: &Path) -> Result<Program, String> {
         home: folder.join("home"),
     };
     std::fs::create_dir_all(&program.home).map_err(|error| format!("{}: {error}", program.home.display()))?;
-    let starts = || program.command(folder, &["--version"]).output().is_ok_and(|output| output.status.success());
+    let starts =
+        || program.command(folder, &["--version"]).output().is_ok_and(|output| output.status.success());
     if !starts() {
         say("this Wine has no ProcessPrng: a stand-in for bcryptprimitives.dll is put beside ancf.exe");
         let beside: PathBuf = file.with_file_name("bcryptprimitives.dll");

@@ -11,9 +11,9 @@ mod trials;
 use std::env;
 use std::process::ExitCode;
 
+use commands::release::{dry_run, platforms};
 use commands::{
-    benchmark, dependencies, fuzz, hunt, importers, package, pictures, platforms, playground, release,
-    schema, test, viewer,
+    benchmark, dependencies, fuzz, hunt, importers, package, pictures, playground, schema, test, viewer,
 };
 use packages::interface;
 use system::shell::say;
@@ -67,7 +67,7 @@ fn main() -> ExitCode {
         "viewer" => viewer::build(),
         "playground" => playground::build(),
         "pictures" => pictures::record(),
-        "release" => release::release(options),
+        "release" => dry_run::all(options),
         "windows" => platforms::windows(options),
         "musl" => platforms::musl(options),
         "arm" => platforms::arm(),

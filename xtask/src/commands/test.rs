@@ -3,7 +3,8 @@
 use std::process::Command;
 use std::time::{Duration, Instant};
 
-use super::{benchmark, container, dependencies, importers, package, playground, viewer};
+use super::release::container;
+use super::{benchmark, dependencies, importers, package, playground, viewer};
 use crate::layers;
 use crate::packages::crates;
 use crate::system::shell::{Done, cargo, say};

@@ -135,7 +135,7 @@ fn unlock_folder(folder: &Path) {
     let _ = Command::new("chmod").arg("u+w").arg(folder).output();
 }
 
-/// A table that another program shows. On Windows such a file cannot be replaced: the message says so, and the file is whole.
+/// A table that another program shows. On Windows such a file cannot be replaced: the message states the reason, and the file is complete.
 pub(super) fn replaced_while_open(trial: &Trial<'_>) -> Done {
     trial.done(&["run", "statics.toml", "-o", "offen"])?;
     trial.done(&["report", "offen"])?;

@@ -6,7 +6,7 @@ use std::time::Duration;
 use super::trial::{Ended, Trial, expect, finish, wait_for};
 use crate::system::shell::Done;
 
-/// Files that are equal to the last bit after any number of interruptions.
+/// Files that are bit-identical after any number of interruptions.
 const FILES: [&str; 3] = ["results.parquet", "states.parquet", "probes.csv"];
 
 /// Starts a program that is ended by the caller.

@@ -2,7 +2,7 @@
 
 use std::time::{Duration, Instant};
 
-use super::platforms;
+use super::{container, platforms};
 use crate::packages::release::Release;
 use crate::packages::{build, checksums, crates, interface, materials, source, wheel};
 use crate::system::environment::Environment;
@@ -18,12 +18,12 @@ const PARTS: [(&str, Part); 8] = [
     ("wheel", python),
     ("musl", platforms::try_musl),
     ("windows", platforms::try_windows),
-    ("container", |_| super::container::check()),
+    ("container", |_| container::check()),
     ("materials", bill),
 ];
 
 /// Builds and tries all packages. Publishes nothing.
-pub(crate) fn release(options: &[String]) -> Done {
+pub(crate) fn all(options: &[String]) -> Done {
     let choice = Choice::of(options)?;
     let release = Release::new(&choice.profile)?;
     let mut times = Vec::new();

@@ -42,6 +42,7 @@ cargo xtask release --dry-run
                             windows, container, materials
 cargo xtask windows         the program for Windows, tried in Wine; --profile NAME
 cargo xtask musl            the static program for Linux, tried; --profile NAME
+cargo xtask try FILE        the trials of a program that exists, one of Windows in Wine
 cargo xtask arm             the kernels on ARM, tested in an emulator
 cargo xtask interface       public items of the libraries beside the recorded ones; --update records them
 cargo xtask peers           EXUDYN and MuJoCo beside ancf, into bench/peers/results; rods or structures selects a part;
@@ -70,6 +71,7 @@ fn main() -> ExitCode {
         "release" => dry_run::all(options),
         "windows" => platforms::windows(options),
         "musl" => platforms::musl(options),
+        "try" => platforms::try_file(options),
         "arm" => platforms::arm(),
         "interface" => interface::check(options),
         "peers" => benchmark::peers(options),

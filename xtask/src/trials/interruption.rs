@@ -60,6 +60,18 @@ fn interrupted(trial: &Trial<'_>, arguments: &[&str], file: &str) -> Result<Ende
     Ok(Ended { code: status.code(), stdout: String::new(), stderr: String::new() })
 }
 
+/// Plots a run that continues. Its first rows are written after a second.
+fn plot_of_running(trial: &Trial<'_>) -> Result<Ended, String> {
+    for _ in 0..20 {
+        let plotted = trial.ancf(&["plot", "belegt", "tip.y"])?;
+        if plotted.code == Some(0) {
+            return Ok(plotted);
+        }
+        std::thread::sleep(Duration::from_millis(500));
+    }
+    trial.ancf(&["plot", "belegt", "tip.y"])
+}
+
 /// Two runs do not write into one folder at a time.
 pub(super) fn folder_in_use(trial: &Trial<'_>) -> Done {
     trial.cantilever("sehr lang.toml", 4000.0)?;
@@ -67,8 +79,7 @@ pub(super) fn folder_in_use(trial: &Trial<'_>) -> Done {
     let written = wait_for(&trial.path("belegt/probes.csv"));
     std::thread::sleep(Duration::from_millis(200));
     let second = trial.ancf(&["run", "sehr lang.toml", "-o", "belegt"]);
-    // Others read the results during the run.
-    let plotted = trial.ancf(&["plot", "belegt", "tip.y"]);
+    let plotted = plot_of_running(trial);
     let _ = run.kill().and_then(|()| run.wait());
     written?;
     let second = second?;

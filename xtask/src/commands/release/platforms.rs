@@ -5,7 +5,7 @@ use std::process::Command;
 use std::sync::OnceLock;
 
 use crate::packages::program::{self, ProgramArchive};
-use crate::packages::release::Release;
+use crate::packages::release::{Release, create};
 use crate::packages::{build, source};
 use crate::system::debian;
 use crate::system::shell::{Done, root, run, say};
@@ -24,6 +24,21 @@ pub(crate) fn windows(options: &[String]) -> Done {
 /// `cargo xtask musl [--profile NAME]`.
 pub(crate) fn musl(options: &[String]) -> Done {
     try_musl(&Release::new(&profile(options)?)?)
+}
+
+/// `cargo xtask try FILE`: tries a program that exists, one of Windows in Wine.
+pub(crate) fn try_file(options: &[String]) -> Done {
+    let [file] = options else { return Err("expected the path of a program".to_owned()) };
+    let file = Path::new(file).canonicalize().map_err(|error| format!("{file}: {error}"))?;
+    let is_windows = file.extension().is_some_and(|ending| ending == "exe");
+    let place =
+        root().join("target/packages/work/trials").join(if is_windows { "windows file" } else { "file" });
+    create(&place)?;
+    let program = match is_windows {
+        true => wine::install().and_then(|()| wine::program(&file, &place))?,
+        false => Program::native(&file, &place.join("home")),
+    };
+    trials::run(&file.display().to_string(), &program, &place, None).map(|_| ())
 }
 
 fn profile(options: &[String]) -> Result<String, String> {

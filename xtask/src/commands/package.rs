@@ -23,11 +23,10 @@ pub(crate) fn test() -> Done {
     environment.install(["--force-reinstall", "--no-deps", &file.display().to_string()])?;
     environment.install([format!("{}[test,docs]", file.display())])?;
     wheel::test(&file, &environment, &folder)?;
-    let checks: [(&str, &str, &[&str]); 7] = [
+    let checks: [(&str, &str, &[&str]); 6] = [
         ("format of Python", "ruff", &["format", "--check", "--quiet", "."]),
         ("lints of Python", "ruff", &["check", "--quiet", "."]),
         ("types", "mypy", &["crates/ancf-py/python/ancf", "crates/ancf-py/tests"]),
-        ("types by pyright", "pyright", &["--verifytypes", "ancf", "--ignoreexternal"]),
         ("stubs", "stubtest", &["ancf._ancf", "--mypy-config-file", "pyproject.toml"]),
         ("tests of Python", "pytest", &["--quiet"]),
         ("site", "sphinx-build", &["-E", "-W", "--keep-going", "--quiet", "docs", "target/site"]),

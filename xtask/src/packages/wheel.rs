@@ -97,9 +97,10 @@ pub(crate) fn test(wheel: &Path, checkers: &Environment, folder: &Path) -> Done 
     run("installed wheel", &mut command)?;
     let typed = empty.join("typed.py");
     copy(&tests.join("typed.py"), &typed)?;
+    let stubs = root().join("crates/ancf-py/python/ancf/_ancf.pyi");
     let python = python.display().to_string();
     let mypy = ["--strict", "--config-file=", "--python-executable", &python];
-    let pyright = ["--pythonpath", &python];
+    let pyright = ["--pythonpath", &python, &stubs.display().to_string()];
     for (program, options) in [("mypy", &mypy[..]), ("pyright", &pyright[..])] {
         let mut command = Command::new(checkers.program(program));
         command.args(options).arg("typed.py").current_dir(&empty);

@@ -53,3 +53,29 @@ fn of(file: &Path) -> Result<String, String> {
         text
     }))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{LIST, check, of, write};
+
+    /// Check sum of the text `abc`: FIPS 180-2, appendix B.1.
+    const ABC: &str = "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad";
+
+    #[test]
+    fn changed_and_unlisted_files_are_found() {
+        let folder = std::env::temp_dir().join(format!("ancf check sums {}", std::process::id()));
+        std::fs::create_dir_all(&folder).unwrap();
+        let put = |name: &str, text: &str| std::fs::write(folder.join(name), text).unwrap();
+        put("package", "abc");
+        assert_eq!(of(&folder.join("package")).unwrap(), ABC);
+        write(&folder).unwrap();
+        assert_eq!(std::fs::read_to_string(folder.join(LIST)).unwrap(), format!("{ABC}  package\n"));
+        check(&folder).unwrap();
+        put("other", "abc");
+        assert!(check(&folder).unwrap_err().contains("does not list other"));
+        write(&folder).unwrap();
+        put("package", "abd");
+        assert!(check(&folder).unwrap_err().contains("package has another check sum"));
+        std::fs::remove_dir_all(&folder).unwrap();
+    }
+}

@@ -74,3 +74,20 @@ fn difference(own: &Table, other: &Table) -> Result<f64, String> {
     }
     Ok(largest)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::difference;
+
+    #[test]
+    fn differences_are_relative_to_the_largest_value() {
+        let table = |values: &[f64]| vec![("x".to_owned(), values.to_vec())];
+        let own = table(&[1e3, f64::NAN, 1e-6]);
+        assert_eq!(difference(&own, &own).unwrap(), 0.0);
+        assert!(difference(&table(&[1e3, f64::NAN, 2e-6]), &own).unwrap() < 2e-9);
+        assert!(difference(&table(&[1e3 + 1e-3, f64::NAN, 1e-6]), &own).is_err());
+        assert!(difference(&table(&[1e3, 0.0, 1e-6]), &own).is_err());
+        assert!(difference(&table(&[1e3]), &own).is_err());
+        assert!(difference(&vec![("y".to_owned(), vec![1e3])], &own).is_err());
+    }
+}

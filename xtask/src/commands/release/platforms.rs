@@ -129,8 +129,11 @@ fn is_static(program: &Path) -> Done {
     }
 }
 
-/// Crates whose tests run on ARM: those with SIMD kernels.
-const KERNELS: [&str; 4] = ["--package", "ancf-mechanics", "--package", "ancf-solver"];
+/// Tests that run on ARM: those of the crates with SIMD kernels, and the comparison of kernels with single terms.
+const KERNELS: [&[&str]; 2] = [
+    &["--package", "ancf-solver", "--package", "ancf-mechanics", "--lib"],
+    &["--package", "ancf", "--test", "it", "--", "elements::", "terms::"],
+];
 
 /// Tests the kernels on ARM in an emulator: NEON lanes, and the scalar path.
 pub(crate) fn arm() -> Done {
@@ -145,11 +148,15 @@ pub(crate) fn arm() -> Done {
         }
     }
     build::install_target(ARM)?;
-    let mut command = Command::new(env!("CARGO"));
-    command.args(["test", "--lib", "--tests", "--target", ARM]).args(KERNELS);
-    command.arg("--target-dir").arg(root().join("target/packages/work/arm")).current_dir(root());
-    command.env("CARGO_TARGET_AARCH64_UNKNOWN_LINUX_GNU_LINKER", "aarch64-linux-gnu-gcc");
-    command.env("CARGO_TARGET_AARCH64_UNKNOWN_LINUX_GNU_RUNNER", "qemu-aarch64 -L /usr/aarch64-linux-gnu");
-    say("\n== kernels on ARM: cargo test --target aarch64-unknown-linux-gnu, in qemu");
-    run("kernels on ARM", &mut command)
+    for tests in KERNELS {
+        say(&format!("\n== kernels on ARM: cargo test --target {ARM} {}, in qemu", tests.join(" ")));
+        let mut command = Command::new(env!("CARGO"));
+        command.args(["test", "--target", ARM, "--target-dir"]).arg(root().join("target/packages/work/arm"));
+        command.args(tests).current_dir(root());
+        command.env("CARGO_TARGET_AARCH64_UNKNOWN_LINUX_GNU_LINKER", "aarch64-linux-gnu-gcc");
+        command
+            .env("CARGO_TARGET_AARCH64_UNKNOWN_LINUX_GNU_RUNNER", "qemu-aarch64 -L /usr/aarch64-linux-gnu");
+        run("kernels on ARM", &mut command)?;
+    }
+    Ok(())
 }

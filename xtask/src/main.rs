@@ -42,7 +42,8 @@ cargo xtask release --dry-run
                             windows, container, materials
 cargo xtask windows         the program for Windows, tried in Wine; --profile NAME
 cargo xtask musl            the static program for Linux, tried; --profile NAME
-cargo xtask try FILE        the trials of a program that exists, one of Windows in Wine
+cargo xtask try FILE        the trials of a program that exists, one of Windows in Wine; a second argument is the folder of an
+                            earlier trial, for comparison
 cargo xtask arm             the kernels on ARM, tested in an emulator
 cargo xtask interface       public items of the libraries beside the recorded ones; --update records them
 cargo xtask peers           EXUDYN and MuJoCo beside ancf, into bench/peers/results; rods or structures selects a part;

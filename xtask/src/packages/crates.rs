@@ -19,6 +19,8 @@ pub(crate) fn publish_dry_run(release: &Release, source: &Path) -> Done {
     let folder = release.work.join("crates");
     let mut command = Command::new(env!("CARGO"));
     command.args(["publish", "--workspace", "--dry-run", "--locked", "--target-dir"]).arg(&folder);
+    // The crates are compiled, not run.
+    command.env("CARGO_PROFILE_DEV_DEBUG", "false");
     say("\n== crates: cargo publish --workspace --dry-run");
     run("crates", command.current_dir(source))?;
     for name in published()?.iter().filter_map(|package| package["name"].as_str()) {

@@ -26,9 +26,14 @@ pub(crate) fn musl(options: &[String]) -> Done {
     try_musl(&Release::new(&profile(options)?)?)
 }
 
-/// `cargo xtask try FILE`: tries a program that exists, one of Windows in Wine.
+/// `cargo xtask try FILE [FOLDER]`: tries a program that exists, one of Windows in Wine. Results are compared with those of an
+/// earlier trial in a folder.
 pub(crate) fn try_file(options: &[String]) -> Done {
-    let [file] = options else { return Err("expected the path of a program".to_owned()) };
+    let (file, reference) = match options {
+        [file] => (file, None),
+        [file, folder] => (file, Some(Path::new(folder))),
+        _ => return Err("expected the path of a program".to_owned()),
+    };
     let file = Path::new(file).canonicalize().map_err(|error| format!("{file}: {error}"))?;
     let is_windows = file.extension().is_some_and(|ending| ending == "exe");
     let place =
@@ -38,7 +43,7 @@ pub(crate) fn try_file(options: &[String]) -> Done {
         true => wine::install().and_then(|()| wine::program(&file, &place))?,
         false => Program::native(&file, &place.join("home")),
     };
-    trials::run(&file.display().to_string(), &program, &place, None).map(|_| ())
+    trials::run(&file.display().to_string(), &program, &place, reference).map(|_| ())
 }
 
 fn profile(options: &[String]) -> Result<String, String> {

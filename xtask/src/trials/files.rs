@@ -90,7 +90,9 @@ pub(super) fn read_only(trial: &Trial<'_>) -> Done {
     };
     let ended = trial.ancf(&["run", "statics.toml", "-o", "nur lesen/out"])?;
     let message = ended.stderr.to_lowercase();
-    let is_explained = ["denied", "read-only", "not permitted"].iter().any(|word| message.contains(word));
+    let is_explained = ["denied", "read-only", "not permitted", "write protected", "write-protected"]
+        .iter()
+        .any(|word| message.contains(word));
     expect(ended.code == Some(1) && is_explained && message.contains("nur lesen"), "a message", &ended)
 }
 

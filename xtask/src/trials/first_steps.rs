@@ -1,11 +1,10 @@
 //! Help, templates, errors of a model.
 
-use std::io::Write;
-use std::process::Stdio;
+use std::fs::File;
 
 use serde_json::Value;
 
-use super::trial::{Trial, expect};
+use super::trial::{Trial, expect, finish_with};
 use crate::system::shell::Done;
 
 /// Templates of `ancf new`. Their runs are compared with those of the reference.
@@ -83,11 +82,7 @@ pub(super) fn json_errors(trial: &Trial<'_>) -> Done {
 }
 
 pub(super) fn standard_input(trial: &Trial<'_>) -> Done {
-    let model = trial.read("cantilever.toml")?;
-    let mut command = trial.program.command(&trial.folder, &["check", "-"]);
-    command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
-    let mut child = command.spawn().map_err(|error| error.to_string())?;
-    let written = child.stdin.take().map(|mut input| input.write_all(&model));
-    let output = child.wait_with_output().map_err(|error| error.to_string())?;
-    expect(output.status.success() && written.is_some_and(|done| done.is_ok()), "success", output)
+    let model = File::open(trial.path("cantilever.toml")).map_err(|error| error.to_string())?;
+    let ended = finish_with(trial.program.command(&trial.folder, &["check", "-"]), model.into())?;
+    expect(ended.code == Some(0), "success", ended)
 }

@@ -1,4 +1,4 @@
-use std::fs;
+use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::thread;
@@ -79,39 +79,35 @@ impl Trial<'_> {
 }
 
 /// Runs a command to its end, but not longer than [`PATIENCE`].
-pub(super) fn finish(mut command: Command) -> Result<Ended, String> {
-    command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
+///
+/// Its output goes to files: services that Wine starts keep pipes open.
+pub(super) fn finish(command: Command) -> Result<Ended, String> {
+    finish_with(command, Stdio::null())
+}
+
+/// Runs a command with a standard input.
+pub(super) fn finish_with(mut command: Command, input: Stdio) -> Result<Ended, String> {
+    let file = |name: &str| std::env::temp_dir().join(format!("ancf trial {} {name}", std::process::id()));
+    let files = ["stdout", "stderr"].map(file);
+    let create = |file: &Path| File::create(file).map_err(|error| format!("{}: {error}", file.display()));
+    command.stdin(input).stdout(create(&files[0])?).stderr(create(&files[1])?);
     let program = command.get_program().display().to_string();
     let mut child = command.spawn().map_err(|error| format!("cannot run {program}: {error}"))?;
     let start = Instant::now();
-    let id = child.id();
-    // Pipes are read in a thread, so that a full pipe stops nothing.
-    let (sender, receiver) = std::sync::mpsc::channel();
-    let mut output = (child.stdout.take(), child.stderr.take());
-    thread::spawn(move || {
-        let mut texts = [Vec::new(), Vec::new()];
-        if let Some(stdout) = &mut output.0 {
-            let _ = std::io::Read::read_to_end(stdout, &mut texts[0]);
-        }
-        if let Some(stderr) = &mut output.1 {
-            let _ = std::io::Read::read_to_end(stderr, &mut texts[1]);
-        }
-        let _ = sender.send(texts);
-    });
-    let status = loop {
-        if let Some(status) = child.try_wait().map_err(|error| format!("process {id}: {error}"))? {
-            break status;
+    let code = loop {
+        if let Some(status) = child.try_wait().map_err(|error| format!("{program}: {error}"))? {
+            break status.code();
         }
         if start.elapsed() > PATIENCE {
-            let _ = child.kill();
-            let _ = child.wait();
+            let _ = child.kill().and_then(|()| child.wait());
             return Err(format!("{program} did not end in {} s", PATIENCE.as_secs()));
         }
         thread::sleep(Duration::from_millis(5));
     };
-    let texts = receiver.recv().map_err(|error| error.to_string())?;
-    let [stdout, stderr] = texts.map(|text| String::from_utf8_lossy(&text).into_owned());
-    Ok(Ended { code: status.code(), stdout, stderr })
+    let text = |file: &Path| fs::read(file).map(|bytes| String::from_utf8_lossy(&bytes).into_owned());
+    let [stdout, stderr] = [&files[0], &files[1]].map(|file| text(file).map_err(|error| error.to_string()));
+    files.iter().for_each(|file| _ = fs::remove_file(file));
+    Ok(Ended { code, stdout: stdout?, stderr: stderr? })
 }
 
 /// Fails with a message and the text in which something is missing.

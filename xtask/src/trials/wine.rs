@@ -1,7 +1,7 @@
 //! Programs of Windows in Wine.
 
 use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::process::{Command, Stdio};
 
 use super::program::Program;
 use crate::system::debian;
@@ -38,8 +38,13 @@ pub(crate) fn program(file: &Path, folder: &Path) -> Result<Program, String> {
         home: folder.join("home"),
     };
     std::fs::create_dir_all(&program.home).map_err(|error| format!("{}: {error}", program.home.display()))?;
-    let starts =
-        || program.command(folder, &["--version"]).output().is_ok_and(|output| output.status.success());
+    let starts = || {
+        program
+            .command(folder, &["--version"])
+            .stdout(Stdio::null())
+            .status()
+            .is_ok_and(|status| status.success())
+    };
     if !starts() {
         say("this Wine has no ProcessPrng: a stand-in for bcryptprimitives.dll is put beside ancf.exe");
         let beside: PathBuf = file.with_file_name("bcryptprimitives.dll");

@@ -43,7 +43,7 @@ cargo xtask release --dry-run
 cargo xtask windows         the program for Windows, tried in Wine; --profile NAME
 cargo xtask musl            the static program for Linux, tried; --profile NAME
 cargo xtask try FILE        the trials of a program that exists, one of Windows in Wine; a second argument is the folder of an
-                            earlier trial, for comparison
+                            earlier trial, for comparison; --quick before FILE shortens motions
 cargo xtask arm             the kernels on ARM, tested in an emulator
 cargo xtask interface       public items of the libraries beside the recorded ones; --update records them
 cargo xtask peers           EXUDYN and MuJoCo beside ancf, into bench/peers/results; rods or structures selects a part;

@@ -58,6 +58,7 @@ pub(super) fn templates(trial: &Trial<'_>) -> Done {
     for kind in TEMPLATES {
         let file = format!("{kind}.toml");
         trial.done(&["new", &file, "--kind", kind])?;
+        trial.shorten(&file)?;
         trial.done(&["check", &file])?;
         trial.done(&["run", &file, "-o", kind])?;
     }

@@ -18,8 +18,8 @@ fn spawn(trial: &Trial<'_>, arguments: &[&str]) -> Result<std::process::Child, S
 
 pub(super) fn kill_and_resume(trial: &Trial<'_>) -> Done {
     trial.cantilever("lang.toml", 20.0)?;
-    trial.done(&["run", "lang.toml", "-o", "ganz", "--checkpoint", "500"])?;
-    let mut run = spawn(trial, &["run", "lang.toml", "-o", "Stücke", "--checkpoint", "500"])?;
+    trial.done(&["run", "lang.toml", "-o", "ganz", "--checkpoint", "100"])?;
+    let mut run = spawn(trial, &["run", "lang.toml", "-o", "Stücke", "--checkpoint", "100"])?;
     let written = wait_for(&trial.path("Stücke/checkpoint"));
     let killed = run.kill().and_then(|()| run.wait());
     written?;
@@ -30,7 +30,7 @@ pub(super) fn kill_and_resume(trial: &Trial<'_>) -> Done {
 
 /// Resumes a run and compares its files with those of the uninterrupted run.
 fn resumed_equals(trial: &Trial<'_>, run: &str) -> Done {
-    trial.done(&["resume", run, "--checkpoint", "500"])?;
+    trial.done(&["resume", run, "--checkpoint", "100"])?;
     for file in FILES {
         let [whole, pieces] = ["ganz", run].map(|run| trial.read(&format!("{run}/{file}")));
         expect(whole? == pieces?, "equal bits", file)?;
@@ -39,7 +39,7 @@ fn resumed_equals(trial: &Trial<'_>, run: &str) -> Done {
 }
 
 pub(super) fn ctrl_c(trial: &Trial<'_>) -> Done {
-    let arguments = ["run", "lang.toml", "-o", "Halt", "--checkpoint", "500"];
+    let arguments = ["run", "lang.toml", "-o", "Halt", "--checkpoint", "100"];
     let file = "Halt/checkpoint";
     let ended = match trial.program.by_console(&trial.folder, "stop", file, &arguments) {
         Some(command) => finish(command)?,

@@ -15,6 +15,8 @@ pub(crate) struct Program {
     pub(crate) console: Option<PathBuf>,
     /// Home folder.
     pub(crate) home: PathBuf,
+    /// Factor of the durations of motions, below 1 for programs that are compiled without optimisation.
+    pub(crate) pace: f64,
 }
 
 impl Program {
@@ -26,6 +28,7 @@ impl Program {
             variables: Vec::new(),
             console: None,
             home: home.to_owned(),
+            pace: 1.0,
         }
     }
 

@@ -70,9 +70,24 @@ impl Trial<'_> {
         fs::write(self.path(name), contents).map_err(|error| format!("{name}: {error}"))
     }
 
+    /// Shortens the motion of a model by the pace of the program.
+    pub(super) fn shorten(&self, name: &str) -> Done {
+        let shortened = |line: &str| {
+            let value = line.strip_prefix("duration = ").and_then(|rest| rest.split_whitespace().next());
+            match value.and_then(|value| value.parse::<f64>().ok()) {
+                Some(value) if self.program.pace < 1.0 => {
+                    format!("duration = {:?}\n", value * self.program.pace)
+                }
+                _ => format!("{line}\n"),
+            }
+        };
+        self.write(name, self.text(name)?.lines().map(shortened).collect::<String>())
+    }
+
     /// Writes the model of the cantilever with a duration.
     pub(super) fn cantilever(&self, name: &str, duration: f64) -> Done {
         let text = include_str!("../../../models/cantilever.toml");
+        let duration = duration * self.program.pace;
         let changed = text.replace("duration = 2.0", &format!("duration = {duration:?}"));
         self.write(name, changed.replace("elements = 20", "elements = 4"))
     }

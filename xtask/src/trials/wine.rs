@@ -36,6 +36,7 @@ pub(crate) fn program(file: &Path, folder: &Path) -> Result<Program, String> {
         variables: vec![("WINEPREFIX".to_owned(), prefix.into()), ("WINEDEBUG".to_owned(), "-all".into())],
         console: Some(console),
         home: folder.join("home"),
+        pace: 1.0,
     };
     std::fs::create_dir_all(&program.home).map_err(|error| format!("{}: {error}", program.home.display()))?;
     let starts = || {

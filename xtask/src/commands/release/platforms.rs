@@ -26,9 +26,16 @@ pub(crate) fn musl(options: &[String]) -> Done {
     try_musl(&Release::new(&profile(options)?)?)
 }
 
-/// `cargo xtask try FILE [FOLDER]`: tries a program that exists, one of Windows in Wine. Results are compared with those of an
+/// Factor of the durations of motions in quick trials.
+const QUICK: f64 = 0.05;
+
+/// `cargo xtask try [--quick] FILE [FOLDER]`: tries a program that exists, one of Windows in Wine. Results are compared with those of an
 /// earlier trial in a folder.
 pub(crate) fn try_file(options: &[String]) -> Done {
+    let (pace, options) = match options {
+        [first, rest @ ..] if first == "--quick" => (QUICK, rest),
+        all => (1.0, all),
+    };
     let (file, reference) = match options {
         [file] => (file, None),
         [file, folder] => (file, Some(Path::new(folder))),
@@ -39,10 +46,11 @@ pub(crate) fn try_file(options: &[String]) -> Done {
     let place =
         root().join("target/packages/work/trials").join(if is_windows { "windows file" } else { "file" });
     create(&place)?;
-    let program = match is_windows {
+    let mut program = match is_windows {
         true => wine::install().and_then(|()| wine::program(&file, &place))?,
         false => Program::native(&file, &place.join("home")),
     };
+    program.pace = pace;
     trials::run(&file.display().to_string(), &program, &place, reference).map(|_| ())
 }
 

@@ -3,15 +3,19 @@
 mod commands;
 mod documents;
 mod layers;
+mod packages;
 mod python;
 mod system;
+mod trials;
 
 use std::env;
 use std::process::ExitCode;
 
+use commands::release::{dry_run, platforms};
 use commands::{
     benchmark, dependencies, fuzz, hunt, importers, package, pictures, playground, schema, test, viewer,
 };
+use packages::interface;
 use system::shell::say;
 
 const HELP: &str = "\
@@ -32,6 +36,16 @@ cargo xtask hunt [SEED] [N] random models beside their twins in other frames, un
                             the findings, SHARE of the laws as fourth; file FILE, show SEED NUMBER, one SEED NUMBER
 cargo xtask bench           times per element beside their targets; --quick, --rows TEXT, --json FILE
 cargo xtask instructions    instruction counts of fixed work beside the recorded ones; --update records them
+cargo xtask release --dry-run
+                            all packages, each tried from its package alone, with check sums and bill of materials, into
+                            target/packages; --profile NAME, --only PART,... of: interface, crates, program, wheel, musl,
+                            windows, container, materials
+cargo xtask windows         the program for Windows, tried in Wine; --profile NAME
+cargo xtask musl            the static program for Linux, tried; --profile NAME
+cargo xtask try FILE        the trials of a program that exists, one of Windows in Wine; a second argument is the folder of an
+                            earlier trial, for comparison; --quick before FILE shortens motions
+cargo xtask arm             the kernels on ARM, tested in an emulator
+cargo xtask interface       public items of the libraries beside the recorded ones; --update records them
 cargo xtask peers           EXUDYN and MuJoCo beside ancf, into bench/peers/results; rods or structures selects a part;
                             needs Python and the network
 ";
@@ -55,6 +69,12 @@ fn main() -> ExitCode {
         "viewer" => viewer::build(),
         "playground" => playground::build(),
         "pictures" => pictures::record(),
+        "release" => dry_run::all(options),
+        "windows" => platforms::windows(options),
+        "musl" => platforms::musl(options),
+        "try" => platforms::try_file(options),
+        "arm" => platforms::arm(),
+        "interface" => interface::check(options),
         "peers" => benchmark::peers(options),
         "" => Err(format!("expected a command\n\n{HELP}")),
         unknown => Err(format!("unknown command `{unknown}`\n\n{HELP}")),

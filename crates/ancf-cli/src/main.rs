@@ -26,7 +26,8 @@ use terminal::{Colour, Ended, JsonErrors, OutputMode};
 
 /// Flexible multibody dynamics on the absolute nodal coordinate formulation.
 #[derive(Debug, Parser)]
-#[command(name = "ancf", version, after_help = TOUR)]
+// Without `bin_name`, help on Windows has the name `ancf.exe`.
+#[command(name = "ancf", bin_name = "ancf", version, after_help = TOUR)]
 struct Arguments {
     #[command(subcommand)]
     command: Command,

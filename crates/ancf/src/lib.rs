@@ -110,3 +110,8 @@ pub use stepping::{
     BodyLayout, CompleteState, DescriptorForm, InputUse, LinearModel, Projection, StepError, Stepper,
 };
 pub use units::Scales;
+
+/// The example of the README.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

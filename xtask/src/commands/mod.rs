@@ -8,6 +8,7 @@ pub(crate) mod importers;
 pub(crate) mod package;
 pub(crate) mod pictures;
 pub(crate) mod playground;
+pub(crate) mod release;
 pub(crate) mod schema;
 pub(crate) mod test;
 pub(crate) mod viewer;

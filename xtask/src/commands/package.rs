@@ -1,14 +1,28 @@
 //! Installation, checks and tests of the Python package.
 
+use std::env::consts::{DLL_PREFIX, DLL_SUFFIX, EXE_SUFFIX};
 use std::process::Command;
 
+use crate::packages::build::Built;
+use crate::packages::wheel;
 use crate::system::debian;
 use crate::system::environment::Environment;
-use crate::system::shell::{Done, root, run, say};
+use crate::system::shell::{Done, cargo, root, run, say};
 
-/// Installs the package with the dependencies of its tests and documentation, and runs both.
+/// Builds the wheel with the program of the tests inside, tries it in an empty environment, installs it with the dependencies
+/// of its tests and documentation, and runs both.
 pub(crate) fn test() -> Done {
-    let environment = installed()?;
+    let environment = environment()?;
+    // Same packages as the tests of the documentation: nothing is compiled twice.
+    cargo("program", &["build", "--quiet", "--workspace", "--bins", "--examples"], &[])?;
+    let built = root().join("target/debug");
+    let library = built.join("deps").join(format!("{DLL_PREFIX}ancf_fmu{DLL_SUFFIX}"));
+    let built = Built { program: built.join(format!("ancf{EXE_SUFFIX}")), library: Some(library) };
+    let folder = root().join("target/wheel");
+    let file = wheel::build(&environment, &root(), &built, &wheel::Options::default(), &folder)?;
+    environment.install(["--force-reinstall", "--no-deps", &file.display().to_string()])?;
+    environment.install([format!("{}[test,docs]", file.display())])?;
+    wheel::test(&file, &environment, &folder)?;
     let checks: [(&str, &str, &[&str]); 6] = [
         ("format of Python", "ruff", &["format", "--check", "--quiet", "."]),
         ("lints of Python", "ruff", &["check", "--quiet", "."]),
@@ -22,19 +36,20 @@ pub(crate) fn test() -> Done {
 
 /// Builds the documentation site into `target/site`.
 pub(crate) fn docs() -> Done {
-    step(&installed()?, "site", "sphinx-build", &["-E", "-W", "--keep-going", "docs", "target/site"])?;
+    let environment = environment()?;
+    environment.install([format!("{}[test,docs]", root().display())])?;
+    step(&environment, "site", "sphinx-build", &["-E", "-W", "--keep-going", "docs", "target/site"])?;
     say("the site is in target/site/index.html");
     Ok(())
 }
 
-fn installed() -> Result<Environment, String> {
+/// Environment of the tests.
+fn environment() -> Result<Environment, String> {
     if cfg!(target_os = "linux") && !debian::has_library("libEGL.so.1") {
         // Libraries for drawing without a screen. The tests of scenes fail if they cannot be installed.
         let _ = ["libegl1", "libgl1-mesa-dri"].iter().all(|package| debian::install(package));
     }
-    let environment = Environment::at(&root().join("target/python"))?;
-    environment.install([format!("{}[test,docs]", root().display())])?;
-    Ok(environment)
+    Environment::at(&root().join("target/python"))
 }
 
 fn step(environment: &Environment, what: &str, program: &str, arguments: &[&str]) -> Done {

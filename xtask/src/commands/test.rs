@@ -3,8 +3,10 @@
 use std::process::Command;
 use std::time::{Duration, Instant};
 
+use super::release::container;
 use super::{benchmark, dependencies, importers, package, playground, viewer};
 use crate::layers;
+use crate::packages::crates;
 use crate::system::shell::{Done, cargo, say};
 
 /// Runs all tests, the quick checks first, and prints the time of each part. Stops at the first failure.
@@ -24,6 +26,7 @@ fn parts(timer: &mut PartTimer) -> Done {
     timer.run("format", || cargo("format", &["fmt", "--all", "--check"], &[]))?;
     say("\n== layers");
     timer.run("layers", || layers::check(&[]))?;
+    timer.run("manifests", || crates::check_manifests().and_then(|()| container::check()))?;
     let lints = ["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"];
     timer.run("lints", || cargo("lints", &lints, &[]))?;
     timer.run("test programs", || cargo("test programs", &["test", "--workspace", "--no-run"], &[]))?;

@@ -38,7 +38,8 @@ Examples:
   ancf fmu crane.toml -p bodies.boom.material.young    with a parameter
 
 Inputs are those that the model declares, outputs the columns of a run.
-The FMU contains the shared library of this platform: cargo build --release -p ancf-fmu";
+The FMU contains the shared library of this platform, libancf_fmu. Archives and Python packages
+have it beside the program; `cargo install` does not: cargo build --release -p ancf-fmu";
 
 /// Version of FMI.
 #[derive(Clone, Copy, Debug, ValueEnum)]
@@ -99,11 +100,13 @@ impl FmuArguments {
         }
         let name = library_name();
         let program = env::current_exe().map_err(|error| format!("the path of this program: {error}"))?;
+        // A link in a folder of programs points to the folder with the library.
+        let program = if cfg!(unix) { program.canonicalize().unwrap_or(program) } else { program };
         let folder = program.parent().map(PathBuf::from).unwrap_or_default();
         let candidates = ["", "deps", "../lib"].map(|place| folder.join(place).join(&name));
         candidates.into_iter().find(|library| library.is_file()).ok_or_else(|| {
             format!(
-                "{name} is missing in {}; build it with `cargo build --release -p ancf-fmu` and state its path with `--library`",
+                "{name} is missing: found neither in {} nor in ../lib beside it. Archives and Python packages of a release contain it, `cargo install` does not install it. In a clone of the repository build it with `cargo build --release -p ancf-fmu` and state its path with `--library`",
                 folder.display()
             )
         })

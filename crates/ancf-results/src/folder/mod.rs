@@ -11,4 +11,4 @@ pub(crate) use run_folder::{erase_signature, sign};
 pub use summary_file::SummaryFile;
 pub(crate) use summary_file::{has_summary_checksum, read_summary, write_summary};
 pub use whole_file::write_atomically;
-pub(crate) use whole_file::{create, part_path, remove, remove_all, replace, with_path};
+pub(crate) use whole_file::{create, part_path, remove, remove_all, rename, replace, with_path};

@@ -1,5 +1,5 @@
 use std::fs::{self, File, TryLockError};
-use std::io::{self, Read, Write};
+use std::io::{self, Read, Seek, Write};
 use std::path::{Path, PathBuf};
 use std::thread;
 use std::time::Duration;
@@ -100,7 +100,7 @@ impl Folder {
 
     /// Returns an error if a run would overwrite files of the user. `lock` contains the checksum of the last run.
     pub(crate) fn check_overwrite(&self, lock: &File, text: &str) -> io::Result<()> {
-        let last = self.signature_of(lock)?;
+        let last = signature_of(lock).map_err(|error| with_path(&error, &self.0.join(LOCK)))?;
         let path = self.model();
         let own = match fs::read(&path) {
             Ok(bytes) => Some(bytes),
@@ -117,21 +117,17 @@ impl Folder {
         found.filter(|_| !ours).map_or(Ok(()), |path| Err(lost(&path)))
     }
 
-    /// Returns the checksum in a lock file, which may be empty.
-    fn signature_of(&self, lock: &File) -> io::Result<String> {
-        let mut signature = Vec::new();
-        let read = lock.take(DIGITS).read_to_end(&mut signature);
-        read.map_err(|error| with_path(&error, &self.0.join(LOCK)))?;
-        Ok(String::from_utf8_lossy(&signature).into_owned())
-    }
-
-    /// Returns the SHA-256 of the model of the run; `None` if the folder has no lock file or the run is starting.
+    /// Returns the SHA-256 of the model of the run; `None` if the folder has no lock file or the run is starting, and on Windows
+    /// during the run.
     fn signature(&self) -> io::Result<Option<String>> {
-        match File::open(self.0.join(LOCK)) {
-            Ok(lock) => Ok(Some(self.signature_of(&lock)?).filter(|signature| !signature.is_empty())),
+        let path = self.0.join(LOCK);
+        match File::open(&path).and_then(|lock| signature_of(&lock)) {
+            Ok(signature) => Ok(Some(signature).filter(|signature| !signature.is_empty())),
             // Copies of a folder may lack it.
             Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),
-            Err(error) => Err(with_path(&error, &self.0.join(LOCK))),
+            // On Windows nobody else can read a locked file: lock violation.
+            Err(error) if cfg!(windows) && error.raw_os_error() == Some(33) => Ok(None),
+            Err(error) => Err(with_path(&error, &path)),
         }
     }
 
@@ -184,7 +180,9 @@ impl Folder {
         let file = File::options()
             .create(true)
             .read(true)
-            .append(true)
+            // Windows cannot truncate files that are opened to append.
+            .write(true)
+            .truncate(false)
             .open(&path)
             .map_err(|error| with_path(&error, &path))?;
         // `is_busy` of another process locks the file for a moment.
@@ -220,6 +218,14 @@ impl Folder {
     }
 }
 
+/// Returns the checksum in a lock file, which may be empty.
+fn signature_of(mut lock: &File) -> io::Result<String> {
+    lock.rewind()?;
+    let mut signature = Vec::new();
+    lock.take(DIGITS).read_to_end(&mut signature)?;
+    Ok(String::from_utf8_lossy(&signature).into_owned())
+}
+
 fn lost(path: &Path) -> io::Error {
     let text = format!(
         "{} is not a file of a run, or was changed, and would be lost: choose another folder",
@@ -235,5 +241,6 @@ pub(crate) fn erase_signature(lock: &File) -> io::Result<()> {
 
 /// Writes the checksum of the model of a run into its lock file, which is empty.
 pub(crate) fn sign(lock: &mut File, text: &str) -> io::Result<()> {
+    lock.rewind()?;
     lock.write_all(sha256(text.as_bytes()).as_bytes())
 }

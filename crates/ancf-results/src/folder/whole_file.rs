@@ -1,6 +1,8 @@
 use std::fs::{self, File};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
+use std::thread;
+use std::time::{Duration, Instant};
 
 /// Adds a path to an error.
 pub(crate) fn with_path(error: &io::Error, path: &Path) -> io::Error {
@@ -36,6 +38,35 @@ pub(crate) fn create(path: &Path) -> io::Result<File> {
     File::options().read(true).write(true).create(true).truncate(true).open(path)
 }
 
+/// Renames a file or folder and replaces an existing file.
+///
+/// # Errors
+/// On Windows, if another program has the file open and does not share it. Virus scanners do so for moments, so renaming is
+/// repeated for a second.
+pub(crate) fn rename(from: &Path, to: &Path) -> io::Result<()> {
+    let start = Instant::now();
+    loop {
+        match fs::rename(from, to) {
+            Err(error) if is_in_use(&error) && start.elapsed() < PATIENCE => {
+                thread::sleep(Duration::from_millis(20));
+            }
+            Err(error) if is_in_use(&error) && to.exists() => {
+                let message = format!("{error} Is the file open in another program?");
+                return Err(io::Error::new(error.kind(), message));
+            }
+            done => return done,
+        }
+    }
+}
+
+/// Duration of repeated renaming.
+const PATIENCE: Duration = Duration::from_secs(1);
+
+/// True for the errors of Windows if a file is open: access denied, sharing violation, lock violation.
+fn is_in_use(error: &io::Error) -> bool {
+    cfg!(windows) && matches!(error.raw_os_error(), Some(5 | 32 | 33))
+}
+
 /// Writes a file completely or not at all. The contents are on the disk when this returns.
 ///
 /// # Errors
@@ -45,7 +76,7 @@ pub fn write_atomically(path: &Path, write: impl FnOnce(&File) -> io::Result<()>
     let written = create(&part).and_then(|file| {
         write(&file)?;
         file.sync_all()?;
-        fs::rename(&part, path)
+        rename(&part, path)
     });
     written.inspect_err(|_| _ = fs::remove_file(&part))
 }

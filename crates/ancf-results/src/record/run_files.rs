@@ -158,7 +158,8 @@ impl CsvFile {
     /// Length of the file, once its contents are on the disk.
     fn synced_length(&self) -> io::Result<u64> {
         let length = |path: &Path| {
-            let file = File::open(path)?;
+            // Windows writes files to the disk only for those who may write to them.
+            let file = File::options().write(true).open(path)?;
             file.sync_all()?;
             Ok(file.metadata()?.len())
         };

@@ -14,7 +14,7 @@ use super::merge::{merge, split};
 use super::parts::{part, part_numbers, parts_folder};
 use super::provenance::{PROGRAM, Provenance};
 use super::reader::{Reader, rows_of_part};
-use crate::folder::{remove, remove_all, with_path, write_atomically};
+use crate::folder::{remove, remove_all, rename, with_path, write_atomically};
 
 /// Table that grows in parts with a fixed number of rows. A finished table is one Parquet file.
 ///
@@ -183,7 +183,7 @@ impl GrowingTable {
         // The folder is renamed first. If it were removed partially, its rest would be taken for the table.
         let (parts, done) = (parts_folder(&self.path), self.path.with_extension("parquet.done"));
         remove_all(&done)?;
-        fs::rename(&parts, &done)
+        rename(&parts, &done)
             .and_then(|()| fs::remove_dir_all(&done))
             .map_err(|error| with_path(&error, &parts))
     }

@@ -12,7 +12,7 @@ use super::checksums;
 use super::layout::Layout;
 use super::parts::part;
 use super::reader::is_sound;
-use crate::folder::{create, part_path, with_path, write_atomically};
+use crate::folder::{create, part_path, rename, with_path, write_atomically};
 
 /// Merges files into one by copying their row groups in order.
 pub(crate) fn merge(
@@ -60,7 +60,7 @@ pub(crate) fn split(
             writer.close()?;
             checksums::write(&own)?;
         }
-        fs::rename(&unfinished, to)
+        rename(&unfinished, to)
     };
     write().map_err(|error| with_path(&error, from))
 }

@@ -134,7 +134,7 @@ impl LoadKind for Fluid {
         for (key, name) in self.bodies() {
             let Some((owner, body)) = context.body(name) else { continue };
             let Some((section, _)) = body.section_and_material() else {
-                let what = if matches!(body, Body::Shell(_)) {
+                let what = if body.is_shell() {
                     "a shell, without fluid loads"
                 } else {
                     "which is rigid"

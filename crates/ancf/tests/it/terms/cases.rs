@@ -18,6 +18,7 @@ use super::frames::frame_terms;
 use super::immersed::{immersed_terms, meshes};
 use super::joint_terms::joint_terms;
 use super::kind::TermKind;
+use super::shear_shells::shear_shell_terms;
 use super::shells::shell_terms;
 use crate::common::models::beams::{BeamCase, beam_cases};
 use crate::common::models::cables;
@@ -148,5 +149,5 @@ pub(super) fn terms() -> Vec<TermCase> {
     });
     let free = beams(gravity).chain(constraints).chain(followers()).chain(cable_elements(gravity));
     let free = free.chain(immersed).chain(joints).chain(rigid_bodies(gravity));
-    free.chain(contact_terms()).chain([external()]).chain(shell_terms()).chain(rotating_frames()).collect()
+    free.chain(contact_terms()).chain([external()]).chain(shell_terms()).chain(shear_shell_terms()).chain(rotating_frames()).collect()
 }

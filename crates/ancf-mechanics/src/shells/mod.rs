@@ -21,8 +21,8 @@ pub use mesh::{ShellEdge, ShellMesh};
 pub use pressure::SurfacePressure;
 pub use profile::{ShellMedium, ShellProfile};
 pub use shear::{
-    NODES, NearestPoint, QUAD_VECTORS, QuadPressure, QuadTopology, Shell24, ShearMedium, ShearProfile,
-    ShearShellMesh, ShearStressField, ShellPlace, SurfacePlace, TopologyDefect, directors, stress_axis,
+    NODES, NearestPoint, QUAD_VECTORS, QuadPressure, QuadTopology, ShearMedium, ShearProfile, ShearShellMesh,
+    ShearStressField, Shell24, ShellPlace, SurfacePlace, TopologyDefect, directors, stress_axis,
 };
 pub use stress::StressField;
 pub use surface_stress::{LAYERS, SurfaceStress};

@@ -122,7 +122,8 @@ fn rule_of_mesh_place(path: String, shell: &ShearShell, at: &At, owner: String) 
             finding(format!("{key}.edge"), quoted(edge.name()), expected)
         }
         At::Node(NodePlace { node }) if *node >= nodes => {
-            let expected = format!("a node of {}, from 0 to {}", quoted(&shell.name), nodes.saturating_sub(1));
+            let expected =
+                format!("a node of {}, from 0 to {}", quoted(&shell.name), nodes.saturating_sub(1));
             finding(format!("{key}.node"), format!("{node}"), expected)
         }
         At::NamedPoint(PointPlace { point }) if shell.node(at).is_none() => {

@@ -223,9 +223,11 @@ pub(crate) fn shells_of(model: &Model) -> impl Iterator<Item = (String, &Shell)>
 
 /// Shear-deformable shells with their paths.
 pub(crate) fn shear_shells_of(model: &Model) -> impl Iterator<Item = (String, &ShearShell)> {
-    bodies_of(model).filter_map(|(path, body)| {
-        if let Body::ShearShell(shell) = body { Some((path, shell)) } else { None }
-    })
+    bodies_of(model).filter_map(
+        |(path, body)| {
+            if let Body::ShearShell(shell) = body { Some((path, shell)) } else { None }
+        },
+    )
 }
 
 /// Joints with their paths.

@@ -225,12 +225,18 @@ fn mesh(
                     if element.groups.is_empty() {
                         continue;
                     }
-                    return Err(format!("element {} of a group with a node of no quadrilateral", element.tag));
+                    return Err(format!(
+                        "element {} of a group with a node of no quadrilateral",
+                        element.tag
+                    ));
                 };
                 (u32::from(kind == LINE), own)
             }
         };
-        element.groups.iter().for_each(|group| members.entry((dimension, *group)).or_default().push(own.clone()));
+        element
+            .groups
+            .iter()
+            .for_each(|group| members.entry((dimension, *group)).or_default().push(own.clone()));
     }
     for (key, own) in members {
         let name = names.get(&key).cloned().unwrap_or_else(|| key.1.to_string());
@@ -283,7 +289,8 @@ fn chains(segments: &[Vec<usize>]) -> Vec<Vec<usize>> {
 mod tests {
     use super::*;
 
-    const HEAD: &str = "$PhysicalNames\n3\n0 1 \"tip\"\n1 2 \"left side\"\n2 3 \"plate\"\n$EndPhysicalNames\n";
+    const HEAD: &str =
+        "$PhysicalNames\n3\n0 1 \"tip\"\n1 2 \"left side\"\n2 3 \"plate\"\n$EndPhysicalNames\n";
 
     fn version_2() -> String {
         format!(
@@ -304,7 +311,10 @@ mod tests {
     #[test]
     fn versions_agree() {
         let mesh = parse(&version_2()).unwrap();
-        assert_eq!(mesh.nodes, [[0., 0., 0.], [1., 0., 0.], [1., 1., 0.], [0., 1., 0.], [2., 0., 0.], [2., 1., 0.]]);
+        assert_eq!(
+            mesh.nodes,
+            [[0., 0., 0.], [1., 0., 0.], [1., 1., 0.], [0., 1., 0.], [2., 0., 0.], [2., 1., 0.]]
+        );
         assert_eq!(mesh.elements, [[0, 1, 2, 3], [1, 4, 5, 2]]);
         assert_eq!(mesh.groups["tip"], GmshGroup::Nodes(vec![4]));
         assert_eq!(mesh.groups["left side"], GmshGroup::Edges(vec![vec![0, 3]]));

@@ -102,7 +102,9 @@ pub(super) fn read_meshes(data: &mut Value) -> Vec<Finding> {
             Some(Value::String(text)) if text.starts_with(START) => text.clone(),
             _ => continue,
         };
-        if let Some(key) = ["nodes", "elements", "directors", "groups"].into_iter().find(|key| mesh.contains_key(*key)) {
+        if let Some(key) =
+            ["nodes", "elements", "directors", "groups"].into_iter().find(|key| mesh.contains_key(*key))
+        {
             let expected = "no lists: the mesh is that of the file";
             findings.push(finding(format!("{path}.{key}"), "a list and a file", expected));
             continue;
@@ -135,9 +137,10 @@ pub(super) fn read_meshes(data: &mut Value) -> Vec<Finding> {
 /// Lists of a mesh as data of a model.
 fn lists(mesh: GmshMesh, scale: f64) -> Table {
     let numbers = |all: Vec<usize>| Value::Array(all.into_iter().map(|k| Value::Integer(k as i64)).collect());
-    let nodes = mesh.nodes.into_iter().map(|node| {
-        Value::Array(node.iter().map(|x| Value::Float(x * scale)).collect())
-    });
+    let nodes = mesh
+        .nodes
+        .into_iter()
+        .map(|node| Value::Array(node.iter().map(|x| Value::Float(x * scale)).collect()));
     let elements = mesh.elements.into_iter().map(|element| numbers(element.to_vec()));
     let group = |group: GmshGroup| {
         let (key, value) = match group {

@@ -312,7 +312,9 @@ impl Rows {
                 }
                 Quantity::Resultants | Quantity::SurfaceStress => {
                     let body = assembly.body_of(probe.body);
-                    let Some(found) = probe.surface.and_then(|at| body.surface_stress(s, at)) else { continue };
+                    let Some(found) = probe.surface.and_then(|at| body.surface_stress(s, at)) else {
+                        continue;
+                    };
                     if probe.quantity == Quantity::Resultants {
                         self.extend(found.force, Dimension::FORCE_PER_LENGTH);
                         self.extend(found.moment, Dimension::FORCE);

@@ -32,14 +32,20 @@ impl MeshModel {
     ) -> Self {
         let node = |i: usize, j: usize| j * (n + 1) + i;
         let places = (0..=m).flat_map(|j| (0..=n).map(move |i| [i as f64 / n as f64, j as f64 / m as f64]));
-        let (nodes, directors) = places.map(|at| map(at).into()).map(|(r, d): ([f64; 3], [f64; 3])| (r, d)).unzip();
+        let (nodes, directors) =
+            places.map(|at| map(at).into()).map(|(r, d): ([f64; 3], [f64; 3])| (r, d)).unzip();
         let element = |i: usize, j: usize| [node(i, j), node(i + 1, j), node(i + 1, j + 1), node(i, j + 1)];
         let elements = (0..m).flat_map(|j| (0..n).map(move |i| (i, j))).map(|(i, j)| element(i, j)).collect();
         let row = |j: usize| (0..=n).map(|i| node(i, j)).collect::<Vec<_>>();
         let column = |i: usize| (0..=m).map(|j| node(i, j)).collect::<Vec<_>>();
         let edges = [("u0", column(0)), ("u1", column(n)), ("v0", row(0)), ("v1", row(m))];
-        let points =
-            [("p00", node(0, 0)), ("p10", node(n, 0)), ("p11", node(n, m)), ("p01", node(0, m)), ("middle", node(n / 2, m / 2))];
+        let points = [
+            ("p00", node(0, 0)),
+            ("p10", node(n, 0)),
+            ("p11", node(n, m)),
+            ("p01", node(0, m)),
+            ("middle", node(n / 2, m / 2)),
+        ];
         let mut groups = String::new();
         for (name, chain) in edges {
             let _ = writeln!(groups, "groups.{name} = {{ edges = [{chain:?}] }}");
@@ -60,7 +66,10 @@ impl fmt::Display for MeshModel {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { nodes, elements, directors, groups, thickness, keys, material } = self;
         writeln!(f, "materials.m = {{ {material} }}")?;
-        writeln!(f, "[[bodies]]\nkind = \"shear_shell\"\nname = \"s\"\nthickness = {thickness:?}\nmaterial = \"m\"\n{keys}")?;
+        writeln!(
+            f,
+            "[[bodies]]\nkind = \"shear_shell\"\nname = \"s\"\nthickness = {thickness:?}\nmaterial = \"m\"\n{keys}"
+        )?;
         writeln!(f, "[bodies.mesh]\nnodes = {nodes:?}\nelements = {elements:?}")?;
         writeln!(f, "directors = {directors:?}\n{groups}")
     }
@@ -85,7 +94,9 @@ pub(super) fn node(point: &str, axes: &str) -> String {
 
 /// Force at a point.
 pub(super) fn force(point: &str, force: [f64; 3]) -> String {
-    format!("[[loads]]\nkind = \"force\"\non = {{ body = \"s\", at = {{ point = \"{point}\" }} }}\nforce = {force:?}\n")
+    format!(
+        "[[loads]]\nkind = \"force\"\non = {{ body = \"s\", at = {{ point = \"{point}\" }} }}\nforce = {force:?}\n"
+    )
 }
 
 /// Load per length of an edge, of kind `edge_force` or `edge_moment`.

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use super::mesh::{MeshModel, edge, isotropic, node, probe};
-use crate::{Findings, Problem, VerificationError, solve};
+use crate::{Findings, Plot, PlotCurve, Problem, VerificationError, solve};
 
 /// Problems of this file.
 pub(super) const PROBLEMS: &[Problem] = &[
@@ -42,7 +42,7 @@ fn pressure(size: f64) -> String {
 }
 
 fn mindlin() -> Result<Findings, VerificationError> {
-    let mut found = Findings::default();
+    let (mut found, mut points) = (Findings::default(), Vec::new());
     let supports: String =
         ["u0", "u1", "v0", "v1"].map(|name| edge(name, "\"guided\"\naxes = [\"z\"]\nhard = true")).concat();
     let supports = supports + &node("p00", "\"x\", \"y\"") + &node("p10", "\"y\"");
@@ -58,8 +58,15 @@ fn mindlin() -> Result<Findings, VerificationError> {
             probe("c", "middle")
         );
         let ours = solve(&model)?.last("c.z")? / SMALL;
+        points.push([h, ours / exact]);
         found.compare(format!("deflection, h/a = {h}"), ours, exact, exact, 5e-3);
     }
+    let curves = vec![PlotCurve::points("computed", points)];
+    found.plot(Plot::new("Deflection, relative to the Navier solution", ["h/a", "ratio"], curves));
+    // Without displacements in the plane, the lowest modes are those of bending.
+    let supports: String = ["u0", "u1", "v0", "v1"]
+        .map(|name| edge(name, "\"guided\"\naxes = [\"x\", \"y\", \"z\"]\nhard = true"))
+        .concat();
     let model = format!("{}{supports}[analysis]\nkind = \"modes\"\ncount = 3\n", plate(0.1));
     let solved = solve(&model)?;
     let frequencies = solved.column("frequency")?;
@@ -71,10 +78,10 @@ fn mindlin() -> Result<Findings, VerificationError> {
 }
 
 fn laminates() -> Result<Findings, VerificationError> {
-    let mut found = Findings::default();
-    let support = |name: &str, axis: &str| edge(name, &format!("\"guided\"\naxes = [\"{axis}\", \"z\"]\nhard = true"));
-    let supports =
-        [support("u0", "y"), support("u1", "y"), support("v0", "x"), support("v1", "x")].concat();
+    let (mut found, mut curves) = (Findings::default(), Vec::new());
+    let support =
+        |name: &str, axis: &str| edge(name, &format!("\"guided\"\naxes = [\"{axis}\", \"z\"]\nhard = true"));
+    let supports = [support("u0", "y"), support("u1", "y"), support("v0", "x"), support("v1", "x")].concat();
     let material = "young = 25, poisson = 0.25, density = 1, orthotropic = { young = 1, shear = 0.5, transverse_shear = 0.2 }";
     let quarter = TAU / 4.0;
     let plies: [(&str, &[f64], [f64; 2]); 2] = [
@@ -93,11 +100,16 @@ fn laminates() -> Result<Findings, VerificationError> {
             probe("c", "middle")
         );
         let ours = 100.0 * solve(&model)?.last("c.z")? / (SMALL * 1e4);
+        let mut points = vec![[1.0, ours / deflection]];
         found.compare(format!("{name}: deflection"), ours, deflection, deflection, 5e-3);
         let model = format!("{shell}{supports}[analysis]\nkind = \"modes\"\ncount = 1\n");
         let ours = solve(&model)?.column("frequency")?.first().map_or(f64::NAN, |f| TAU * f * 100.0);
+        points.push([2.0, ours / frequency]);
         found.compare(format!("{name}: frequency"), ours, frequency, frequency, 1e-2);
+        curves.push(PlotCurve::points(name, points));
     }
+    let axes = ["deflection (1), frequency (2)", "ratio"];
+    found.plot(Plot::new("Deflection and frequency, relative to the Navier solution", axes, curves));
     Ok(found)
 }
 

@@ -6,5 +6,5 @@ mod thick_section;
 
 pub use laminate::{Laminate, Ply, PlyElasticity};
 pub use section::{ShellSection, SurfaceMaterial};
-pub use thick_section::ThickSection;
 pub(crate) use section::{strain_transform, to_orthonormal};
+pub use thick_section::ThickSection;

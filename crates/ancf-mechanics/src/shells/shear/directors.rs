@@ -66,7 +66,8 @@ fn extrapolated(point: &Vector3<f64>, samples: &[[Vector3<f64>; 2]], normal: &Ve
 /// Axes whose smallest angles to the directors differ by rounding only count as equal; the first of them is returned.
 pub fn stress_axis(directors: &[Vector3<f64>]) -> Vector3<f64> {
     let axes = [Vector3::x(), Vector3::y(), Vector3::z()];
-    let sine = |axis: &Vector3<f64>| directors.iter().map(|d| d.cross(axis).norm()).fold(f64::INFINITY, f64::min);
+    let sine =
+        |axis: &Vector3<f64>| directors.iter().map(|d| d.cross(axis).norm()).fold(f64::INFINITY, f64::min);
     let mut best = axes[0];
     for axis in &axes[1..] {
         if sine(axis) > sine(&best) + 1e-3 {

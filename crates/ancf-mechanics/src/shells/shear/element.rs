@@ -281,7 +281,8 @@ impl Term for Shell24 {
     fn energy(&self, at: &Local<'_>) -> Energy {
         let v = vectors(at.v);
         let momentum = self.mass_times(&v);
-        let moved = self.profile.first.iter().zip(vectors(at.q)).fold(Vector3::zeros(), |sum, (m, q)| sum + q * *m);
+        let moved =
+            self.profile.first.iter().zip(vectors(at.q)).fold(Vector3::zeros(), |sum, (m, q)| sum + q * *m);
         Energy {
             kinetic: 0.5 * momentum.iter().zip(&v).map(|(p, v)| p.dot(v)).sum::<f64>(),
             strain: self.strain_energy(at.q),

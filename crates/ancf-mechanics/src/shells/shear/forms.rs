@@ -77,11 +77,7 @@ pub(crate) fn forms() -> Box<[Form; STRAINS]> {
     }
     for (k, at) in SHEAR_POINTS.into_iter().enumerate() {
         let shapes = bilinear(at);
-        add_product(
-            &mut forms[SURFACE + k],
-            &weighting(&shapes[1 + k / 2], 0),
-            &weighting(&shapes[0], 1),
-        );
+        add_product(&mut forms[SURFACE + k], &weighting(&shapes[1 + k / 2], 0), &weighting(&shapes[0], 1));
     }
     for a in 0..NODES {
         forms[SURFACE + SHEARED + a][2 * a + 1][2 * a + 1] = 1.0;

@@ -198,10 +198,8 @@ impl ShearShellMesh {
                 moment += Matrix2::new(x * x, x * y, x * y, y * y);
             }
             let inverse = moment.try_inverse().unwrap_or_else(Matrix2::zeros);
-            let weights: Vec<(usize, f64)> = arms
-                .iter()
-                .map(|(n, [x, y])| (*n, inverse[(0, 0)] * x + inverse[(0, 1)] * y))
-                .collect();
+            let weights: Vec<(usize, f64)> =
+                arms.iter().map(|(n, [x, y])| (*n, inverse[(0, 0)] * x + inverse[(0, 1)] * y)).collect();
             let own = -weights.iter().map(|(_, w)| w).sum::<f64>();
             let all = || weights.iter().copied().chain([(node, own)]);
             let reference = all().map(|(n, w)| self.reference[n][0] * w).sum();

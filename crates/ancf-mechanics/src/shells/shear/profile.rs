@@ -1,8 +1,8 @@
 use nalgebra::{Matrix2, Matrix3, SMatrix, Vector3};
 
 use super::forms::{
-    CORNERS, Form, NODES, QUAD_POINTS, QUAD_VECTORS, SHEARED, STRAINS, SURFACE, Strains, Vectors, bilinear, forms,
-    gradient, interpolate, points,
+    CORNERS, Form, NODES, QUAD_POINTS, QUAD_VECTORS, SHEARED, STRAINS, SURFACE, Strains, Vectors, bilinear,
+    forms, gradient, interpolate, points,
 };
 use crate::shells::laminates::{ThickSection, to_orthonormal};
 
@@ -137,8 +137,7 @@ fn shear_stiffness(reference: &Vectors, medium: &ShearMedium) -> SMatrix<f64, SH
         let ([t, s], area) = tangents([x, y], reference);
         let to_local = shear_transform([&t, &s], &medium.axis);
         let covariant = to_local.transpose() * medium.section.shear * to_local * (weight * area);
-        let interpolation =
-            SMatrix::<f64, 2, SHEARED>::new(1.0 - y, y, 0.0, 0.0, 0.0, 0.0, 1.0 - x, x);
+        let interpolation = SMatrix::<f64, 2, SHEARED>::new(1.0 - y, y, 0.0, 0.0, 0.0, 0.0, 1.0 - x, x);
         stiffness += interpolation.transpose() * covariant * interpolation;
     }
     stiffness
@@ -183,7 +182,16 @@ impl ShearProfile {
         let gradients = tables.forms.iter().map(|form| gradient(form, reference)).collect();
         let enhancement = Box::new(-(modes * solved));
         let volumes = volumes(reference);
-        Self { reference: *reference, gradients, stiffness, enhancement, mass, first, volumes, medium: *medium }
+        Self {
+            reference: *reference,
+            gradients,
+            stiffness,
+            enhancement,
+            mass,
+            first,
+            volumes,
+            medium: *medium,
+        }
     }
 
     /// Returns an entry of the compact mass matrix of the vectors r₁, d₁, r₂, d₂, ..

@@ -3,12 +3,13 @@
 use ancf_solver::equations::State;
 use nalgebra::{SMatrix, Vector3};
 
-use super::forms::{CORNERS, QUAD_POINTS, SURFACE, bilinear, interpolate, points};
+use super::forms::{CORNERS, QUAD_POINTS, SURFACE, bilinear, points};
 use super::mesh::{ShearShellMesh, SurfacePlace};
+use super::profile::tangents;
 use crate::shells::laminates::to_orthonormal;
 use crate::shells::surface_stress::SurfaceStress;
 
-/// Strains of the surface at the integration points of an element, in covariant components.
+/// Strains of the surface at the integration points of an element, in the orthonormal frame there.
 type PointStrains = SMatrix<f64, SURFACE, 1>;
 
 /// Stresses of a shear-deformable shell in a state, for evaluation at many points.
@@ -20,7 +21,16 @@ pub struct ShearStressField<'a> {
 
 fn strains(mesh: &ShearShellMesh, s: &State, element: usize) -> PointStrains {
     let own = &mesh.elements()[element];
-    own.profile().enhanced(&own.strains(&mesh.displacements(s, element)))
+    let mut strains = own.profile().enhanced(&own.strains(&mesh.displacements(s, element)));
+    for (k, (at, _)) in points().into_iter().enumerate() {
+        let ([t, s], _) = tangents(at, &own.profile().reference);
+        let to_local = to_orthonormal([&t, &s], &own.profile().medium.axis);
+        for kind in [0, 3] {
+            let local = to_local * strains.fixed_rows::<3>(6 * k + kind);
+            strains.fixed_rows_mut::<3>(6 * k + kind).copy_from(&local);
+        }
+    }
+    strains
 }
 
 /// Bilinear extrapolation of the values at the integration points to a point of the element.
@@ -60,13 +70,7 @@ impl ShearShellMesh {
     }
 
     fn mean_stress(&self, place: SurfacePlace, of: impl Fn(usize) -> PointStrains) -> SurfaceStress {
-        let local = |SurfacePlace { element, at }: SurfacePlace| {
-            let profile = self.elements()[element].profile();
-            let [_, x, y] = bilinear(at);
-            let [t, s] = [x, y].map(|shape| interpolate(&shape, 0, &profile.reference));
-            let to_local = to_orthonormal([&t, &s], &profile.medium.axis);
-            extrapolated(&of(element), at).map(|strain| to_local * strain)
-        };
+        let local = |SurfacePlace { element, at }: SurfacePlace| extrapolated(&of(element), at);
         let places: Vec<SurfacePlace> = match self.node_at(place) {
             Some(node) => {
                 let corner = |k: usize| self.quads()[k].iter().position(|n| *n == node).unwrap_or(0);

@@ -143,7 +143,11 @@ impl QuadTopology {
     }
 
     /// Returns the first defect of a mesh. `crease` is the largest angle of the normals of neighbouring elements, in radians.
-    pub fn defect(nodes: &[Vector3<f64>], elements: &[[usize; NODES]], crease: f64) -> Option<TopologyDefect> {
+    pub fn defect(
+        nodes: &[Vector3<f64>],
+        elements: &[[usize; NODES]],
+        crease: f64,
+    ) -> Option<TopologyDefect> {
         for (element, own) in elements.iter().enumerate() {
             if let Some(&node) = own.iter().find(|node| **node >= nodes.len()) {
                 return Some(TopologyDefect::NoSuchNode { element, node });
@@ -156,9 +160,10 @@ impl QuadTopology {
             }
         }
         let topology = Self::new(nodes.len(), elements);
-        topology.defect_of_elements(elements).or_else(|| topology.defect_of_edges(nodes, elements, crease)).or_else(
-            || topology.defect_of_nodes(nodes, elements),
-        )
+        topology
+            .defect_of_elements(elements)
+            .or_else(|| topology.defect_of_edges(nodes, elements, crease))
+            .or_else(|| topology.defect_of_nodes(nodes, elements))
     }
 
     fn defect_of_elements(&self, elements: &[[usize; NODES]]) -> Option<TopologyDefect> {
@@ -218,7 +223,9 @@ impl QuadTopology {
 
 /// Returns two nodes at the same point.
 fn coincident(nodes: &[Vector3<f64>], elements: &[[usize; NODES]]) -> Option<TopologyDefect> {
-    let edges = elements.iter().flat_map(|own| (0..NODES).map(|a| (nodes[own[a]] - nodes[own[(a + 1) % NODES]]).norm()));
+    let edges = elements
+        .iter()
+        .flat_map(|own| (0..NODES).map(|a| (nodes[own[a]] - nodes[own[(a + 1) % NODES]]).norm()));
     let near = COINCIDENT * edges.fold(f64::INFINITY, f64::min);
     let mut order: Vec<usize> = (0..nodes.len()).collect();
     order.sort_by(|a, b| nodes[*a].x.total_cmp(&nodes[*b].x));

@@ -17,7 +17,11 @@ pub(super) fn rules(model: &IndexedModel<'_>, path: &str, shell: &ShearShell) ->
         return vec![error];
     }
     if let Some(k) = shell.mesh.nodes.iter().position(|node| node.iter().any(|x| !x.is_finite())) {
-        return vec![finding(format!("{path}.mesh.nodes[{k}]"), "a coordinate that is not finite", "numbers")];
+        return vec![finding(
+            format!("{path}.mesh.nodes[{k}]"),
+            "a coordinate that is not finite",
+            "numbers",
+        )];
     }
     if let Some(defect) = shell.defect() {
         return vec![defect_finding(path, shell, defect)];
@@ -71,7 +75,8 @@ fn defect_finding(path: &str, shell: &ShearShell, defect: TopologyDefect) -> Fin
         }
         TopologyDefect::Degenerate { element, node } => {
             let found = format!("a collapsed or not convex corner at {}", place(shell, node));
-            let expected = "a convex quadrilateral, with its nodes in order around it and angles below 177 degrees";
+            let expected =
+                "a convex quadrilateral, with its nodes in order around it and angles below 177 degrees";
             finding(of_element(element), found, expected).rests_on([format!("{path}.mesh.nodes")])
         }
         TopologyDefect::Branch { nodes: [a, b], elements: [i, j, k] } => {
@@ -89,24 +94,6 @@ fn defect_finding(path: &str, shell: &ShearShell, defect: TopologyDefect) -> Fin
         TopologyDefect::Overlap { elements: [i, k] } => {
             finding(of_element(k), format!("the nodes of element {i}"), "each element once")
         }
-        TopologyDefect::Unused { node } => finding(
-            format!("{path}.mesh.nodes[{node}]"),
-            format!("{}, which no element has", place(shell, node)),
-            "nodes of elements only",
-        )
-        .rests_on([format!("{path}.mesh.elements")]),
-        TopologyDefect::Contact { node } => {
-            let found = format!("{}, at which parts of the mesh meet without a common edge", place(shell, node));
-            finding(format!("{path}.mesh.nodes[{node}]"), found, "elements that are connected by edges")
-        }
-        TopologyDefect::Coincident { nodes: [a, b] } => {
-            let found = format!("{}, the point of node {a}", place(shell, b));
-            finding(format!("{path}.mesh.nodes[{b}]"), found, "one node at each point")
-        }
-        TopologyDefect::Valence { node } => {
-            let found = format!("{} with more than 8 edges", place(shell, node));
-            finding(format!("{path}.mesh.nodes[{node}]"), found, "at most 8 edges at a node")
-        }
         TopologyDefect::Kink { elements: [i, k], angle } => {
             let found = format!("a kink of {} degrees to element {i}", number(angle.to_degrees().round()));
             let expected = format!(
@@ -116,7 +103,36 @@ fn defect_finding(path: &str, shell: &ShearShell, defect: TopologyDefect) -> Fin
             );
             finding(of_element(k), found, expected).rests_on([format!("{path}.crease")])
         }
+        _ => node_finding(path, shell, defect),
     }
+}
+
+/// Finding for a defect of a node.
+fn node_finding(path: &str, shell: &ShearShell, defect: TopologyDefect) -> Finding {
+    let [found, expected] = match defect {
+        TopologyDefect::Unused { node } => {
+            [format!("{}, which no element has", place(shell, node)), "nodes of elements only".to_owned()]
+        }
+        TopologyDefect::Contact { node } => [
+            format!("{}, at which parts of the mesh meet without a common edge", place(shell, node)),
+            "elements that are connected by edges".to_owned(),
+        ],
+        TopologyDefect::Coincident { nodes: [a, b] } => {
+            [format!("{}, the point of node {a}", place(shell, b)), "one node at each point".to_owned()]
+        }
+        TopologyDefect::Valence { node } => {
+            [format!("{} with more than 8 edges", place(shell, node)), "at most 8 edges at a node".to_owned()]
+        }
+        _ => [String::new(), "a mesh without defects".to_owned()],
+    };
+    let node = match defect {
+        TopologyDefect::Unused { node }
+        | TopologyDefect::Contact { node }
+        | TopologyDefect::Valence { node }
+        | TopologyDefect::Coincident { nodes: [_, node] } => node,
+        _ => 0,
+    };
+    finding(format!("{path}.mesh.nodes[{node}]"), found, expected).rests_on([format!("{path}.mesh.elements")])
 }
 
 fn rules_of_groups(path: &str, shell: &ShearShell) -> Vec<Finding> {
@@ -143,13 +159,17 @@ fn rules_of_groups(path: &str, shell: &ShearShell) -> Vec<Finding> {
             return Some(finding(key, format!("element {} a second time", twice[0]), "each element once"));
         }
         if group.edges.iter().any(|chain| chain.len() < 2) {
-            return Some(finding(format!("{key}.edges"), "a chain of one node", "chains of at least two nodes"));
+            return Some(finding(
+                format!("{key}.edges"),
+                "a chain of one node",
+                "chains of at least two nodes",
+            ));
         }
         let mut segments: Vec<[u32; 2]> =
             group.edges.iter().flat_map(|chain| chain.windows(2).map(|pair| [pair[0], pair[1]])).collect();
-        if let Some([a, b]) = segments.iter().find(|[a, b]| {
-            topology.of_edge([*a as usize, *b as usize]).next().is_none()
-        }) {
+        if let Some([a, b]) =
+            segments.iter().find(|[a, b]| topology.of_edge([*a as usize, *b as usize]).next().is_none())
+        {
             let found = format!("nodes {a} and {b}, which have no common edge of an element");
             return Some(finding(format!("{key}.edges"), found, "chains of nodes along edges of elements"));
         }
@@ -169,7 +189,8 @@ fn rule_of_directors(path: &str, shell: &ShearShell) -> Option<Finding> {
         return None;
     }
     if given != count {
-        let (found, expected) = (format!("{given} directors"), format!("{count}, one for each node, or none"));
+        let (found, expected) =
+            (format!("{given} directors"), format!("{count}, one for each node, or none"));
         return Some(finding(format!("{path}.mesh.directors"), found, expected));
     }
     if let Some(k) = shell.mesh.directors.iter().position(|director| !is_direction(*director)) {
@@ -180,7 +201,8 @@ fn rule_of_directors(path: &str, shell: &ShearShell) -> Option<Finding> {
         for (a, node) in quad.into_iter().enumerate() {
             let [t, s] = [1, 3].map(|step| points[quad[(a + step) % 4]] - points[node]);
             if t.cross(&s).normalize().dot(&directors[node]) < TILTED {
-                let found = format!("a direction far from the normal of an element at {}", place(shell, node));
+                let found =
+                    format!("a direction far from the normal of an element at {}", place(shell, node));
                 let expected = "directions within 45 degrees of the normals, on the side from which elements are counter-clockwise";
                 return Some(finding(format!("{path}.mesh.directors[{node}]"), found, expected));
             }
@@ -213,7 +235,8 @@ fn rule_of_axis(model: &IndexedModel<'_>, path: &str, shell: &ShearShell) -> Opt
     let mut all = directors.iter().copied().enumerate().chain(normals);
     all.find(|(_, normal)| normal.cross(&axis).norm() < NORMAL).map(|(node, _)| {
         let found = format!("the normal of the surface near {}", place(shell, node));
-        finding(key, found, "an axis that is nowhere normal to the surface").rests_on([format!("{path}.mesh.nodes")])
+        finding(key, found, "an axis that is nowhere normal to the surface")
+            .rests_on([format!("{path}.mesh.nodes")])
     })
 }
 

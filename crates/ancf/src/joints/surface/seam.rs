@@ -122,9 +122,8 @@ impl JointKind for Seam {
                     false => ["which is no shell", "a shell"],
                 };
                 let found = format!("{}, {what}", quoted(body.name()));
-                findings.push(
-                    finding(format!("{path}.{end}.body"), found, expected).rests_on(["bodies".into()]),
-                );
+                findings
+                    .push(finding(format!("{path}.{end}.body"), found, expected).rests_on(["bodies".into()]));
             }
         }
         let [(a, edge), (b, other)] = edges;

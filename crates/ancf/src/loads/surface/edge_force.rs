@@ -31,7 +31,9 @@ impl LoadKind for EdgeForce {
     fn build(&self, builder: &mut LoadBuilder<'_>) {
         let function = builder.function(&self.time);
         if let Some((mesh, shell)) = builder.shear_shell(&self.body) {
-            for points in shell.edge_segments(&self.edge).into_iter().filter_map(|edge| mesh.edge_points(edge)) {
+            for points in
+                shell.edge_segments(&self.edge).into_iter().filter_map(|edge| mesh.edge_points(edge))
+            {
                 let parts = points.map(|(at, length)| (length, mesh.point(at)));
                 let marker = Marker::combined(parts.iter().map(|(length, point)| (*length, point)));
                 builder.force(marker, self.force, function.clone());

@@ -65,8 +65,16 @@ fn wrong_meshes_are_rejected_with_their_element() {
         (elements, "elements = [[0, 1, 4, 3]]", "bodies[0].mesh.nodes[2]"),
         ("[2, 0, 0], [0, 1, 0]", "[1, 0, 0.8], [0, 1, 0]", "bodies[0].mesh.elements[1]"),
         ("thickness = 0.1", "thickness = 0", "bodies[0].thickness"),
-        ("groups.tip = { edges = [[2, 5]] }", "groups.tip = { edges = [[2, 3]] }", "bodies[0].mesh.groups.tip.edges"),
-        ("groups.tip = { edges = [[2, 5]] }", "groups.tip = { edges = [[2, 7]] }", "bodies[0].mesh.groups.tip"),
+        (
+            "groups.tip = { edges = [[2, 5]] }",
+            "groups.tip = { edges = [[2, 3]] }",
+            "bodies[0].mesh.groups.tip.edges",
+        ),
+        (
+            "groups.tip = { edges = [[2, 5]] }",
+            "groups.tip = { edges = [[2, 7]] }",
+            "bodies[0].mesh.groups.tip",
+        ),
         ("groups.corner = { nodes = [2] }", "groups.corner = {}", "bodies[0].mesh.groups.corner"),
         ("edge = \"root\"", "edge = \"roots\"", "joints[0].a.at.edge"),
         ("edge = \"root\"", "edge = \"u_start\"", "joints[0].a.at.edge"),
@@ -87,7 +95,9 @@ fn wrong_meshes_are_rejected_with_their_element() {
 /// A pull of σ h per length stretches the strip by σ/E, independent of how the load is stated.
 #[test]
 fn loads_of_edges_points_and_regions() {
-    let free = STRIP.replace("condition = \"clamped\"", "condition = \"guided\"\naxes = [\"x\", \"z\"]").replace("poisson = 0.3", "poisson = 0");
+    let free = STRIP
+        .replace("condition = \"clamped\"", "condition = \"guided\"\naxes = [\"x\", \"z\"]")
+        .replace("poisson = 0.3", "poisson = 0");
     let held = |load: &str| {
         free.clone()
             + "[[joints]]\nkind = \"support\"\nname = \"y\"\na = { body = \"s\", at = { node = 0 } }\n\
@@ -97,8 +107,10 @@ fn loads_of_edges_points_and_regions() {
             + load
     };
     let edge = "[[loads]]\nkind = \"edge_force\"\nbody = \"s\"\nedge = \"tip\"\nforce = [0.12, 0, 0]\n";
-    let point = "[[loads]]\nkind = \"force\"\non = { body = \"s\", at = [2, 0.5, 0] }\nforce = [0.12, 0, 0]\n";
-    let region = "[[loads]]\nkind = \"surface_force\"\nbody = \"s\"\nregion = \"outer\"\nforce = [0.12, 0, 0]\n";
+    let point =
+        "[[loads]]\nkind = \"force\"\non = { body = \"s\", at = [2, 0.5, 0] }\nforce = [0.12, 0, 0]\n";
+    let region =
+        "[[loads]]\nkind = \"surface_force\"\nbody = \"s\"\nregion = \"outer\"\nforce = [0.12, 0, 0]\n";
     for (load, stretch) in [(edge, 2e-6), (point, 2e-6), (region, 1.5e-6)] {
         assert_near("displacement", last(&held(load), "corner.x") - 2.0, stretch, 1e-5);
     }
@@ -116,7 +128,10 @@ fn rigid_bodies_clamped_to_nodes_and_inner_points() {
             )
             + "[[loads]]\nkind = \"moment\"\non = { body = \"hub\", at = \"center\" }\nmoment = [0, -1e-3, 0]\n"
             + "[[probes]]\nname = \"p\"\non = { body = \"hub\", at = \"center\" }\nrecord = [\"rotation\"]\n";
-        let model = model.replace("center = [1.5, 0.5, 0]", if at.contains("node") { "center = [2, 1, 0]" } else { "center = [1.5, 0.5, 0]" });
+        let model = model.replace(
+            "center = [1.5, 0.5, 0]",
+            if at.contains("node") { "center = [2, 1, 0]" } else { "center = [1.5, 0.5, 0]" },
+        );
         let angle = -2.0 * last(&model, "p.e2");
         // Cylindrical bending of the mean: M L/(E I), and more near a point.
         let beam = 1e-3 / (1.2e6 * 1e-3 / 12.0);

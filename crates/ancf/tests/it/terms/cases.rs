@@ -149,5 +149,10 @@ pub(super) fn terms() -> Vec<TermCase> {
     });
     let free = beams(gravity).chain(constraints).chain(followers()).chain(cable_elements(gravity));
     let free = free.chain(immersed).chain(joints).chain(rigid_bodies(gravity));
-    free.chain(contact_terms()).chain([external()]).chain(shell_terms()).chain(shear_shell_terms()).chain(rotating_frames()).collect()
+    free.chain(contact_terms())
+        .chain([external()])
+        .chain(shell_terms())
+        .chain(shear_shell_terms())
+        .chain(rotating_frames())
+        .collect()
 }

@@ -2,7 +2,7 @@
 
 use ancf::mechanics::functions::Function;
 use ancf::mechanics::shells::{
-    Laminate, Ply, PlyElasticity, QuadPressure, Shell24, ShearMedium, ShearShellMesh, directors,
+    Laminate, Ply, PlyElasticity, QuadPressure, ShearMedium, ShearShellMesh, Shell24, directors,
 };
 use ancf::solver::equations::{Local, Term};
 use nalgebra::{Rotation3, Vector3};
@@ -71,8 +71,7 @@ pub(super) fn shear_shell_terms() -> impl Iterator<Item = TermCase> {
         kind,
     });
     let normals = directors(&nodes(), &[[0, 1, 2, 3]]);
-    let mesh =
-        ShearShellMesh::new(0, &nodes(), &normals, vec![[0, 1, 2, 3]], &medium(false, [0.0; 2]));
+    let mesh = ShearShellMesh::new(0, &nodes(), &normals, vec![[0, 1, 2, 3]], &medium(false, [0.0; 2]));
     // The term is renumbered to its own coordinates by the mesh: positions only.
     let pressure = QuadPressure::on(&mesh, 0, 1.7, &Function::ONE);
     elements.chain([TermCase {
@@ -124,9 +123,8 @@ fn shear_shells_do_not_depend_on_the_first_node() {
     let (medium, reference, mut random) = (medium(true, [0.0; 2]), reference(), Random(5));
     let deformed: [Vector3<f64>; 8] = std::array::from_fn(|_| random.vector3() * 0.1);
     let of = |first: usize| {
-        let cyclic = |x: &[Vector3<f64>; 8]| -> [Vector3<f64>; 8] {
-            std::array::from_fn(|a| x[(a + 2 * first) % 8])
-        };
+        let cyclic =
+            |x: &[Vector3<f64>; 8]| -> [Vector3<f64>; 8] { std::array::from_fn(|a| x[(a + 2 * first) % 8]) };
         let shell = Shell24::all([((0..24).collect(), cyclic(&reference))], &medium).swap_remove(0);
         let q: Vec<f64> = cyclic(&deformed).iter().flat_map(|x| <[f64; 3]>::from(*x)).collect();
         let mut r = [0.0; 24];
@@ -152,8 +150,7 @@ fn masses_of_rigid_motions_are_exact() {
     let skew = |[x, y]: [f64; 2]| Vector3::new(x + 0.5 * y, y, 0.0);
     let reference: [Vector3<f64>; 8] =
         std::array::from_fn(|k| if k % 2 == 0 { skew(points[k / 2]) } else { Vector3::z() });
-    let shell =
-        Shell24::all([((0..24).collect(), reference)], &medium(false, [0.0; 2])).swap_remove(0);
+    let shell = Shell24::all([((0..24).collect(), reference)], &medium(false, [0.0; 2])).swap_remove(0);
     let mass = rho * h * a * a;
     // Second moments ∫ x x dm of the parallelogram: x = s + t/2, y = t, s, t uniform in (−1, 1), and z in (−h/2, h/2).
     let [xx, xy, yy, zz] = [1.0 / 3.0 + 1.0 / 12.0, 1.0 / 6.0, 1.0 / 3.0, h * h / 12.0];

@@ -1,4 +1,6 @@
-use ancf_mechanics::shells::{NearestPoint, QuadTopology, SurfacePlace, TopologyDefect, directors, stress_axis};
+use ancf_mechanics::shells::{
+    NearestPoint, QuadTopology, SurfacePlace, TopologyDefect, directors, stress_axis,
+};
 use nalgebra::Vector3;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -115,7 +117,8 @@ impl ShearShell {
     /// Pairs of nodes of the element edges of a named edge.
     pub(crate) fn edge_segments(&self, edge: &EdgeName) -> Vec<[usize; 2]> {
         let chains = self.edge(edge).into_iter().flatten();
-        let segments = chains.flat_map(|chain| chain.windows(2).map(|pair| [pair[0] as usize, pair[1] as usize]));
+        let segments =
+            chains.flat_map(|chain| chain.windows(2).map(|pair| [pair[0] as usize, pair[1] as usize]));
         segments.filter(|segment| segment.iter().all(|node| *node < self.mesh.nodes.len())).collect()
     }
 
@@ -146,7 +149,10 @@ impl ShearShell {
             },
             At::Edge(EdgePlace { edge }) => {
                 let chain = self.edge(edge)?.first()?;
-                chain.get(chain.len() / 2).map(|node| *node as usize).filter(|node| *node < self.mesh.nodes.len())
+                chain
+                    .get(chain.len() / 2)
+                    .map(|node| *node as usize)
+                    .filter(|node| *node < self.mesh.nodes.len())
             }
             _ => None,
         }
@@ -197,7 +203,8 @@ impl ShearShell {
     /// Point of the middle surface at a place.
     pub fn point_at(&self, SurfacePlace { element, at: [x, y] }: SurfacePlace) -> Vector3<f64> {
         let weights = [(1.0 - x) * (1.0 - y), x * (1.0 - y), x * y, (1.0 - x) * y];
-        let nodes = self.mesh.elements[element].iter().map(|node| Vector3::from(self.mesh.nodes[*node as usize]));
+        let nodes =
+            self.mesh.elements[element].iter().map(|node| Vector3::from(self.mesh.nodes[*node as usize]));
         nodes.zip(weights).map(|(node, weight)| node * weight).sum()
     }
 

@@ -8,9 +8,20 @@ use ancf_mechanics::shells::ShearShellMesh;
 use nalgebra::Vector3;
 
 use super::condition::{SupportCondition, SupportedAxis};
-use super::support::Support;
 use crate::joints::parts::JointBuilder;
 use crate::model::{At, EdgeName, EdgePlace, ShearShell};
+
+/// Statement of a support.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct MeshSupport<'a> {
+    /// Edge or node.
+    pub(super) at: &'a At,
+    pub(super) condition: SupportCondition,
+    /// Global axes of a guided support.
+    pub(super) axes: &'a [SupportedAxis],
+    /// True if directors do not rotate along the edge.
+    pub(super) hard: bool,
+}
 
 /// Kinds of the vectors of a node.
 const POSITION: usize = 0;
@@ -33,13 +44,13 @@ fn edge_direction(shell: &ShearShell, edge: &EdgeName, node: usize) -> Option<Ve
 }
 
 /// Adds the equations of a support of a shear-deformable shell.
-pub(super) fn add_equations(builder: &mut JointBuilder<'_>, support: &Support) {
+pub(super) fn add_equations(builder: &mut JointBuilder<'_>, support: MeshSupport<'_>) {
     let Some((mesh, shell)) = builder.shear_shell() else { return };
-    let nodes = nodes(shell, &support.a.at);
+    let nodes = nodes(shell, support.at);
     if let Some(base) = builder.base() {
         return add_to_body(builder, mesh, &nodes, base, support);
     }
-    let plane = shell.plane_of(&support.a.at);
+    let plane = shell.plane_of(support.at);
     for (node, along) in nodes {
         let mut add = |kind: usize, direction: Vector3<f64>, name: &'static str| {
             let (first, reference) = mesh.nodal(node, kind);
@@ -66,7 +77,7 @@ pub(super) fn add_equations(builder: &mut JointBuilder<'_>, support: &Support) {
 }
 
 /// Directions in which positions are constrained.
-fn positions(support: &Support) -> Vec<Vector3<f64>> {
+fn positions(support: MeshSupport<'_>) -> Vec<Vector3<f64>> {
     let axis = |axis: &SupportedAxis| match axis {
         SupportedAxis::X => Vector3::x(),
         SupportedAxis::Y => Vector3::y(),
@@ -84,7 +95,7 @@ fn add_to_body(
     mesh: &ShearShellMesh,
     nodes: &[(usize, Option<Vector3<f64>>)],
     base: &Attachment,
-    support: &Support,
+    support: MeshSupport<'_>,
 ) {
     let axes = [Vector3::x(), Vector3::y(), Vector3::z()];
     let directions = axes.map(|axis| base.direction(axis));

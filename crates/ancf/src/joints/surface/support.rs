@@ -3,7 +3,7 @@ use serde::{Deserialize, Serialize};
 
 use super::condition::{SupportCondition, SupportedAxis};
 use super::edge_equations::add_equations;
-use super::mesh_equations;
+use super::mesh_equations::{self, MeshSupport};
 use crate::errors::{Finding, finding, quoted};
 use crate::joints::parts::{End, JointBuilder, JointContext, JointKind};
 use crate::model::{At, Body, EdgeName, Place, ShearShell};
@@ -62,7 +62,9 @@ impl JointKind for Support {
 
     fn build(&self, builder: &mut JointBuilder<'_>) {
         if builder.shear_shell().is_some() {
-            return mesh_equations::add_equations(builder, self);
+            let Self { a, condition, axes, hard, .. } = self;
+            let support = MeshSupport { at: &a.at, condition: *condition, axes, hard: *hard };
+            return mesh_equations::add_equations(builder, support);
         }
         add_equations(builder, &self.a.at, self.condition, &self.axes);
     }

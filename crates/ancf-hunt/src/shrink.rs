@@ -110,12 +110,13 @@ const BODY_CHANGES: [fn(&mut Body); 6] = [
     |body| match body {
         Body::Beam(beam) => beam.up = None,
         Body::Cable(cable) => cable.up = None,
-        Body::Shell(_) | Body::Rigid(_) | Body::Mass(_) => {}
+        Body::Shell(_) | Body::ShearShell(_) | Body::Rigid(_) | Body::Mass(_) => {}
     },
     |body| match body {
         Body::Beam(beam) => beam.motion = Default::default(),
         Body::Cable(cable) => cable.motion = Default::default(),
         Body::Shell(shell) => shell.motion = Default::default(),
+        Body::ShearShell(shell) => shell.motion = Default::default(),
         Body::Rigid(rigid) => (rigid.motion, rigid.products) = Default::default(),
         Body::Mass(mass) => mass.motion = Default::default(),
     },

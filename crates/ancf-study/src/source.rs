@@ -35,7 +35,8 @@ impl StudySource {
         let study = Study::parse(&text, folder).map_err(invalid(file.to_owned()))?;
         let path = folder.join(&study.model);
         Model::read(&path).map_err(invalid(path.clone()))?;
-        let base = fs::read_to_string(&path)
+        let base = Model::read_text(&path)
+            .map_err(io::Error::other)
             .and_then(|text| text.parse::<toml::Table>().map(Value::Table).map_err(io::Error::other))
             .map_err(|source| StudyError::File { action: "read", path, source })?;
         Ok(Self { study, text, base })

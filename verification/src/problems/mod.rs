@@ -7,6 +7,7 @@ mod joints;
 mod meshes;
 mod models;
 mod rigid_bodies;
+mod shear_shells;
 mod shells;
 mod stability;
 mod statics;
@@ -54,7 +55,7 @@ pub fn all() -> impl Iterator<Item = &'static Problem> {
     let bodies = joints::FAMILIES.into_iter().chain(rigid_bodies::FAMILIES);
     let small = [statics::beams::PROBLEMS, statics::curved::PROBLEMS, stability::columns::PROBLEMS];
     let families = small.into_iter().chain(bodies).chain(forces::FAMILIES).chain(vibrations::FAMILIES);
-    let families = families.chain(meshes::FAMILIES).chain(shells::FAMILIES);
+    let families = families.chain(meshes::FAMILIES).chain(shells::FAMILIES).chain(shear_shells::FAMILIES);
     SINGLE.iter().chain(families.flatten())
 }
 

@@ -90,8 +90,11 @@ function addRigid(lists: InstanceLists, body: Body, number: number, fallback: nu
 
 /** Adds both faces and the border of a shell. */
 function addShell(lists: InstanceLists, body: Body, grid: Grid, number: number): void {
-  const list = lists.get(JSON.stringify(grid), () => shell(grid));
-  list.add(body.first, number, grid.half, [1, 1, 1], [1, 1, 1]);
+  const list = lists.get(JSON.stringify({ ...grid, patches: 1 }), () => shell(grid));
+  const stride = grid.counts[0] * grid.counts[1];
+  for (let k = 0; k < grid.patches; k++) {
+    list.add(body.first + k * stride, number, grid.half, [1, 1, 1], [1, 1, 1]);
+  }
 }
 
 /** Adds the triangles of a body and its edges. */

@@ -61,13 +61,13 @@ function pickSurface(
   let picked: PickedStation | null = null;
   for (const body of scene.bodies) {
     if (!body.grid) continue;
-    const n = body.grid.counts[0];
+    const [n, m] = body.grid.counts;
     const positions = Array.from({ length: body.count }, (_, i) =>
       stationPosition(scene, body.first + i, blend),
     );
     const points = positions.map((position) => viewport.project(position));
     for (let i = 0; i + n + 1 < body.count; i++) {
-      if (i % n === n - 1) continue;
+      if (i % n === n - 1 || i % (n * m) >= n * (m - 1)) continue;
       const corners = [i, i + 1, i + n + 1, i + n];
       const quad = corners.map((k) => points[k]);
       if (!isInside(quad, pointer)) continue;
@@ -124,7 +124,9 @@ export function describeStation(
   const lines = [body.name];
   if (body.grid) {
     const [u, v] = surfacePlace(body.grid, index).map((x) => formatQuantity(x, ""));
-    lines.push(`u = ${u}, v = ${v}`);
+    const { counts, patches } = body.grid;
+    const element = Math.floor(index / (counts[0] * counts[1]));
+    lines.push(patches > 1 ? `element ${element}, ξ = ${u}, η = ${v}` : `u = ${u}, v = ${v}`);
   } else if (body.count > 1) {
     const length = formatQuantity(arcLength(scene, body, body.count - 1), unit);
     lines.push(`s = ${formatQuantity(arcLength(scene, body, index), unit)} of ${length}`);

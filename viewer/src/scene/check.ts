@@ -39,7 +39,7 @@ export function checkArrays(scene: Scene): void {
     if (!(body.first >= 0 && body.first + body.count <= stations)) {
       throw damaged(`the stations of the body ${body.name} are missing`);
     }
-    if (body.grid && body.grid.counts[0] * body.grid.counts[1] !== body.count) {
+    if (body.grid && body.grid.patches * body.grid.counts[0] * body.grid.counts[1] !== body.count) {
       throw damaged(`the grid of the body ${body.name} lacks stations`);
     }
     if (body.scale) checkLength(body.scale, 2 * body.count, `scale of ${body.name}`);

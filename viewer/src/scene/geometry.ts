@@ -31,12 +31,13 @@ export function surfaceBox(body: Body): [Vector, Vector] {
 export function middleStation({ count, grid }: Body): number {
   if (!grid) return count >> 1;
   const [n, m] = grid.counts;
-  return (m >> 1) * n + (n >> 1);
+  return (grid.patches >> 1) * n * m + (m >> 1) * n + (n >> 1);
 }
 
-/** Parameters u and v of a station of a shell, from 0 to 1. */
+/** Parameters u and v of a station of a shell, or ξ and η in its element of a mesh, from 0 to 1. */
 export function surfacePlace({ counts: [n, m] }: Grid, index: number): [u: number, v: number] {
-  return [(index % n) / (n - 1), Math.floor(index / n) / (m - 1)];
+  const own = index % (n * m);
+  return [(own % n) / (n - 1), Math.floor(own / n) / (m - 1)];
 }
 
 /** Largest distance from the centre line or the middle surface to the surface, or from the centre to the box corners. */

@@ -3,8 +3,10 @@
 export type Numbers = Float32Array | Float64Array | Int16Array | Uint16Array | Uint32Array;
 export type Vector = [number, number, number];
 
-/** Grid of the stations of a shell, along u first. */
+/** Grid of the stations of a shell, along u first. A mesh of quadrilaterals has a grid for each element, one after another. */
 export interface Grid {
+  /** Number of grids: 1 for a patch, the number of elements for a mesh. */
+  patches: number;
   /** Numbers of stations along u and v. */
   counts: [number, number];
   /** Cells per element in each direction. */

@@ -36,7 +36,7 @@ export function plate({ count = 11, curvature = 0.5, body = {} } = {}) {
     bodies: [
       {
         ...{ name: "plate", kind: "shell", first: 0, count: n * m, outline: [], inner: null, scale: null },
-        ...{ grid: { counts: COUNTS, parts: PARTS, half: HALF }, nodes: [0], box: null, ...body },
+        ...{ grid: { patches: 1, counts: COUNTS, parts: PARTS, half: HALF }, nodes: [0], box: null, ...body },
       },
     ],
     centres: f32(frames.flatMap((points) => points.flatMap((p) => p.at))),

@@ -124,7 +124,7 @@ pub(super) fn nudged(model: &Model, nudge: f64) -> Model {
         match body {
             Body::Rigid(rigid) => rigid.mass *= 1.0 + 0.6 * nudge,
             Body::Mass(mass) => mass.mass *= 1.0 + 0.6 * nudge,
-            Body::Beam(_) | Body::Cable(_) | Body::Shell(_) => {}
+            Body::Beam(_) | Body::Cable(_) | Body::Shell(_) | Body::ShearShell(_) => {}
         }
     }
     model.gravity = model.gravity.map(|x| x * (1.0 + 0.4 * nudge));

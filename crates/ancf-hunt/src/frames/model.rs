@@ -96,7 +96,7 @@ impl Frame {
                 mass.center = self.point(mass.center);
                 self.motion(&mut mass.motion);
             }
-            Body::Shell(_) => return None,
+            Body::Shell(_) | Body::ShearShell(_) => return None,
         }
         Some(())
     }

@@ -135,7 +135,7 @@ fn dead_loads(model: &Model) -> Option<Vector3<f64>> {
             Load::Moment(_) | Load::DistributedMoment(_) | Load::Prestrain(_) => {}
             Load::DistributedForce(line) if !line.follower => {
                 let body = model.bodies.iter().find(|body| body.name() == line.body)?;
-                let length = body.arc_length(line.to) - body.arc_length(line.from);
+                let length = body.arc_length(&line.to) - body.arc_length(&line.from);
                 let [start, end] = [line.force, line.force_end.unwrap_or(line.force)].map(Vector3::from);
                 sum += 0.5 * length * (start + end);
             }

@@ -35,7 +35,7 @@ impl Law for Reversal {
         }
         for place in all_places(&mut twin) {
             if let Some((_, length)) = reversed.iter().find(|(name, _)| *name == place.body) {
-                place.at = opposite(place.at, *length);
+                place.at = opposite(&place.at, *length);
             }
         }
         for load in &mut twin.loads {
@@ -76,7 +76,7 @@ fn reverse(body: &mut Body) -> Option<()> {
             std::mem::swap(&mut cable.from, &mut cable.to);
             Some(())
         }
-        Body::Shell(_) | Body::Rigid(_) | Body::Mass(_) => None,
+        Body::Shell(_) | Body::ShearShell(_) | Body::Rigid(_) | Body::Mass(_) => None,
     }
 }
 
@@ -95,12 +95,12 @@ fn reverse_beam(beam: &mut Beam, up: &Vector3<f64>) -> Option<()> {
     Some(())
 }
 
-fn opposite(at: At, length: f64) -> At {
+fn opposite(at: &At, length: f64) -> At {
     match at {
         At::Named(NamedPosition::Start) => At::Named(NamedPosition::End),
         At::Named(NamedPosition::End) => At::Named(NamedPosition::Start),
         At::Length(s) => At::Length(length - s),
-        At::Named(NamedPosition::Center) | At::Point(_) | At::Surface(_) | At::Edge(_) => at,
+        other => other.clone(),
     }
 }
 
@@ -123,7 +123,7 @@ fn line_load(load: &mut Load, reversed: &[(String, f64)]) {
         _ => return,
     };
     let Some((_, length)) = reversed.iter().find(|(name, _)| name == body) else { return };
-    (*from, *to) = (opposite(*to, *length), opposite(*from, *length));
+    (*from, *to) = (opposite(to, *length), opposite(from, *length));
     if let Some(end) = end {
         std::mem::swap(start, end);
     }

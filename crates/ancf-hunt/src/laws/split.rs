@@ -58,7 +58,7 @@ fn split(case: &Case, random: &mut Random) -> Option<ancf::Model> {
             At::Named(NamedPosition::Center) => 0.5 * length,
             At::Named(NamedPosition::End) => length,
             At::Length(s) => s,
-            At::Point(_) | At::Surface(_) | At::Edge(_) => return None,
+            _ => return None,
         };
         // At the node itself, the sides differ for strain.
         if s <= cut {

@@ -64,7 +64,7 @@ impl Law for SlopeCoordinates {
             let slopes = match body {
                 Body::Beam(beam) => &mut beam.slopes,
                 Body::Cable(cable) => &mut cable.slopes,
-                Body::Shell(_) | Body::Rigid(_) | Body::Mass(_) => continue,
+                Body::Shell(_) | Body::ShearShell(_) | Body::Rigid(_) | Body::Mass(_) => continue,
             };
             *slopes = if *slopes == Slopes::Gradient { Slopes::Length } else { Slopes::Gradient };
             is_flexible = true;

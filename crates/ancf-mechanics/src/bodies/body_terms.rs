@@ -5,7 +5,7 @@ use super::mesh::BeamMesh;
 use crate::elements::{RigidBody, StrainEnergy};
 use crate::inertia::{MassVisitor, Momentum};
 use crate::kinematics::{Attachment, Marker, NodalVector, VectorKind};
-use crate::shells::ShellMesh;
+use crate::shells::{ShearShellMesh, ShellMesh, SurfacePlace};
 
 /// Body as coordinates and terms.
 #[derive(Clone, Debug)]
@@ -14,6 +14,8 @@ pub enum BodyTerms {
     Flexible(BeamMesh),
     /// Mesh of a thin shell.
     Shell(ShellMesh),
+    /// Mesh of a shear-deformable shell.
+    ShearShell(ShearShellMesh),
     /// Rigid body or point mass.
     Rigid(RigidBody),
 }
@@ -23,16 +25,29 @@ impl BodyTerms {
     pub const fn mesh(&self) -> Option<&BeamMesh> {
         match self {
             Self::Flexible(mesh) => Some(mesh),
-            Self::Shell(_) | Self::Rigid(_) => None,
+            Self::Shell(_) | Self::ShearShell(_) | Self::Rigid(_) => None,
         }
     }
 
-    /// Returns the mesh of a shell.
+    /// Returns the mesh of a thin shell.
     pub const fn shell(&self) -> Option<&ShellMesh> {
         match self {
             Self::Shell(mesh) => Some(mesh),
-            Self::Flexible(_) | Self::Rigid(_) => None,
+            Self::Flexible(_) | Self::ShearShell(_) | Self::Rigid(_) => None,
         }
+    }
+
+    /// Returns the mesh of a shear-deformable shell.
+    pub const fn shear_shell(&self) -> Option<&ShearShellMesh> {
+        match self {
+            Self::ShearShell(mesh) => Some(mesh),
+            Self::Flexible(_) | Self::Shell(_) | Self::Rigid(_) => None,
+        }
+    }
+
+    /// Returns true for a shell of either kind.
+    pub const fn is_shell(&self) -> bool {
+        matches!(self, Self::Shell(_) | Self::ShearShell(_))
     }
 
     /// Returns the number of coordinates.
@@ -40,6 +55,7 @@ impl BodyTerms {
         match self {
             Self::Flexible(mesh) => mesh.coordinates(),
             Self::Shell(mesh) => mesh.coordinates(),
+            Self::ShearShell(mesh) => mesh.coordinates(),
             Self::Rigid(body) => body.coordinates(),
         }
     }
@@ -47,7 +63,7 @@ impl BodyTerms {
     /// Returns the number of multipliers of the body.
     pub const fn multipliers(&self) -> usize {
         match self {
-            Self::Flexible(_) | Self::Shell(_) => 0,
+            Self::Flexible(_) | Self::Shell(_) | Self::ShearShell(_) => 0,
             Self::Rigid(body) => body.multipliers(),
         }
     }
@@ -57,6 +73,7 @@ impl BodyTerms {
         match self {
             Self::Flexible(mesh) => mesh.terms(),
             Self::Shell(mesh) => mesh.terms(),
+            Self::ShearShell(mesh) => mesh.terms(),
             Self::Rigid(body) => vec![body.term()],
         }
     }
@@ -68,6 +85,7 @@ impl BodyTerms {
         match self {
             Self::Flexible(mesh) => mesh.mass_markers().collect(),
             Self::Shell(mesh) => mesh.mass_markers().collect(),
+            Self::ShearShell(mesh) => mesh.mass_markers().collect(),
             Self::Rigid(body) => vec![body.mass_marker()],
         }
     }
@@ -77,6 +95,7 @@ impl BodyTerms {
         match self {
             Self::Flexible(mesh) => mesh.visit_masses(s, visit),
             Self::Shell(mesh) => mesh.visit_masses(s, visit),
+            Self::ShearShell(mesh) => mesh.visit_masses(s, visit),
             Self::Rigid(body) => {
                 let vectors: Vec<NodalVector> = body.vectors(s).collect();
                 visit(&vectors, &|a, b| body.mass_entry(a, b));
@@ -93,12 +112,15 @@ impl BodyTerms {
 
     /// Returns the attachment of joints, loads and probes.
     ///
-    /// A beam is attached at an arc length, a shell at the parameters (u, v) in `point`, and a rigid body at a point of the
-    /// reference state.
+    /// A beam is attached at an arc length, a thin shell at the parameters (u, v) in `point`, a shear-deformable one at (ξ, η, number
+    /// of the element), and a rigid body at a point of the reference state.
     pub fn attachment(&self, s: f64, point: Vector3<f64>) -> Attachment {
         match self {
             Self::Flexible(mesh) => mesh.attachment(s),
             Self::Shell(mesh) => mesh.attachment([point.x, point.y]),
+            Self::ShearShell(mesh) => {
+                mesh.attachment(SurfacePlace { element: point.z as usize, at: [point.x, point.y] })
+            }
             Self::Rigid(body) => body.attachment(point),
         }
     }
@@ -108,6 +130,7 @@ impl BodyTerms {
         match self {
             Self::Flexible(mesh) => mesh.vectors(s).collect(),
             Self::Shell(mesh) => mesh.vectors(s).collect(),
+            Self::ShearShell(mesh) => mesh.vectors(s).collect(),
             Self::Rigid(body) => body.vectors(s).collect(),
         }
     }
@@ -117,6 +140,9 @@ impl BodyTerms {
         match self {
             Self::Flexible(mesh) => mesh.locate_coordinate(coordinate).map(|(node, kind)| (Some(node), kind)),
             Self::Shell(mesh) => mesh.locate_coordinate(coordinate).map(|(node, kind)| (Some(node), kind)),
+            Self::ShearShell(mesh) => {
+                mesh.locate_coordinate(coordinate).map(|(node, kind)| (Some(node), kind))
+            }
             Self::Rigid(body) => body.locate_coordinate(coordinate).map(|kind| (None, kind)),
         }
     }
@@ -134,6 +160,9 @@ impl BodyTerms {
         match self {
             Self::Flexible(mesh) => mesh.strain_energy(state),
             Self::Shell(mesh) => {
+                StrainEnergy { volume: mesh.strain_energy(state), ..StrainEnergy::default() }
+            }
+            Self::ShearShell(mesh) => {
                 StrainEnergy { volume: mesh.strain_energy(state), ..StrainEnergy::default() }
             }
             Self::Rigid(_) => StrainEnergy::default(),

@@ -12,6 +12,7 @@ mod resultants;
 mod rod_gaps;
 mod section_frames;
 mod strains;
+mod surface_field;
 
 pub use body_terms::BodyTerms;
 pub use distributed::ElementSpan;
@@ -19,3 +20,4 @@ pub use mesh::{BeamMesh, MeshParameters};
 pub use rod_gaps::RodGap;
 pub use section_frames::{CarriedFrame, normals_to};
 pub use strains::SectionStrain;
+pub use surface_field::SurfaceField;

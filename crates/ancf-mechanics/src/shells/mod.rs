@@ -1,4 +1,4 @@
-//! Thin shells: bicubic Hermite elements with Kirchhoff-Love strains.
+//! Shells: thin ones of bicubic Hermite elements with Kirchhoff-Love strains, and shear-deformable ones of four-node elements.
 
 mod element;
 mod hermite;
@@ -8,6 +8,7 @@ mod pressure;
 mod profile;
 mod rounding;
 mod rows;
+mod shear;
 mod stiffness;
 mod stress;
 mod surface_state;
@@ -15,9 +16,13 @@ mod surface_stress;
 
 pub use element::Shell48;
 pub use hermite::VECTORS;
-pub use laminates::{Laminate, Ply, PlyElasticity, ShellSection, SurfaceMaterial};
+pub use laminates::{Laminate, Ply, PlyElasticity, ShellSection, SurfaceMaterial, ThickSection};
 pub use mesh::{ShellEdge, ShellMesh};
 pub use pressure::SurfacePressure;
 pub use profile::{ShellMedium, ShellProfile};
+pub use shear::{
+    NODES, NearestPoint, QUAD_VECTORS, QuadPressure, QuadTopology, ShearMedium, ShearProfile, ShearShellMesh,
+    ShearStressField, Shell24, ShellPlace, SurfacePlace, TopologyDefect, directors, stress_axis,
+};
 pub use stress::StressField;
 pub use surface_stress::{LAYERS, SurfaceStress};

@@ -23,7 +23,7 @@ pub(crate) fn valid_model(py: Python<'_>, data: &Value) -> PyResult<Model> {
 pub(crate) fn read(py: Python<'_>, path: PathBuf) -> PyResult<Bound<'_, PyAny>> {
     let file = path.display().to_string();
     Model::read(&path).map_err(|errors| model_error(py, &errors, Some(&file)))?;
-    let text = std::fs::read_to_string(&path)?;
+    let text = Model::read_text(&path).map_err(|errors| model_error(py, &errors, Some(&file)))?;
     let mut data = text.parse().map_err(|error: toml::de::Error| value_error(error))?;
     resolve_files(&mut data, &std::path::absolute(&path)?);
     to_python(py, &Value::Table(data))

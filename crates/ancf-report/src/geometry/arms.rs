@@ -37,7 +37,7 @@ pub(crate) fn places(joint: &Joint) -> [Option<&Place>; 2] {
 pub(crate) fn arm_to<'a>(model: &'a Model, place: &Place) -> Option<(&'a Rigid, Vector3<f64>)> {
     let body = model.bodies.iter().find(|body| body.name() == place.body)?;
     let Body::Rigid(rigid) = body else { return None };
-    let end = body.point(place.at)? + Vector3::from(place.offset);
+    let end = body.point(&place.at)? + Vector3::from(place.offset);
     let arm = end - Vector3::from(rigid.center);
     (arm != Vector3::zeros()).then_some((rigid, arm))
 }

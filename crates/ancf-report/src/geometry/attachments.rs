@@ -24,9 +24,9 @@ impl<'a> Attachments<'a> {
     pub fn of(&self, place: &Place) -> Option<Attachment> {
         let number = self.model.bodies.iter().position(|body| body.name() == place.body)?;
         let body = &self.model.bodies[number];
-        let (s, mut point) = (body.arc_length(place.at), body.point(place.at)?);
-        if let Some([u, v]) = body.shell_place(place.at) {
-            point = Vector3::new(u, v, 0.0);
+        let (s, mut point) = (body.arc_length(&place.at), body.point(&place.at)?);
+        if let Some(at) = body.shell_place(&place.at) {
+            point = at.parameters();
         }
         let attachment = self.assembly.body_of(number).attachment(s, point);
         Some(if place.offset == [0.0; 3] {

@@ -28,7 +28,7 @@ impl BodyKind {
         match body {
             Body::Beam(_) => Self::Beam,
             Body::Cable(_) => Self::Cable,
-            Body::Shell(_) => Self::Shell,
+            Body::Shell(_) | Body::ShearShell(_) => Self::Shell,
             Body::Rigid(_) => Self::Rigid,
             Body::Mass(_) => Self::PointMass,
         }
@@ -46,9 +46,11 @@ impl BodyKind {
     }
 }
 
-/// Grid of the stations of a shell.
+/// Grid of the stations of a shell. A mesh of quadrilaterals has a grid for each element, one after another.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SurfaceGrid {
+    /// Number of grids: 1 for a patch, the number of elements for a mesh.
+    pub patches: usize,
     /// Numbers of stations along u and v. Stations are ordered along u first.
     pub counts: [usize; 2],
     /// Cells per element in each direction.
@@ -63,10 +65,13 @@ impl SurfaceGrid {
         let [n, m] = self.counts;
         let corners =
             move |i: usize, j: usize| [j * n + i, j * n + i + 1, (j + 1) * n + i + 1, (j + 1) * n + i];
-        (0..m.saturating_sub(1)).flat_map(move |j| (0..n.saturating_sub(1)).map(move |i| corners(i, j)))
+        (0..self.patches).flat_map(move |patch| {
+            let cell = move |i: usize, j: usize| corners(i, j).map(|k| patch * n * m + k);
+            (0..m.saturating_sub(1)).flat_map(move |j| (0..n.saturating_sub(1)).map(move |i| cell(i, j)))
+        })
     }
 
-    /// Stations of the boundary, counter-clockwise as seen from the side of the normal, counted from the first station of the body.
+    /// Stations of the boundary of a grid, counter-clockwise as seen from the side of the normal, counted from its first station.
     pub fn boundary(&self) -> Vec<usize> {
         let [n, m] = self.counts;
         let (last, top) = (n - 1, m - 1);
@@ -125,7 +130,7 @@ impl BodyShape {
                 (Some(drawn.edges.map(|edge| 0.5 * edge)), drawn.axes)
             }
             Body::Mass(mass) => (Some([point_mass_radius(mass, size); 3]), GLOBAL),
-            Body::Beam(_) | Body::Cable(_) | Body::Shell(_) => (None, GLOBAL),
+            Body::Beam(_) | Body::Cable(_) | Body::Shell(_) | Body::ShearShell(_) => (None, GLOBAL),
         };
         let outline = outline_at(model, body, 0.0, SIDES);
         let count = stations.len();
@@ -164,16 +169,25 @@ fn taper(model: &Model, body: &Body, start: &Outline, count: usize) -> Option<Ve
 
 /// Grid of the stations of a shell.
 fn grid(body: &Body, parts: usize) -> Option<SurfaceGrid> {
-    let Body::Shell(shell) = body else { return None };
-    let counts = shell.elements.map(|count| count as usize * parts + 1);
-    Some(SurfaceGrid { counts, parts, half: 0.5 * shell.thickness })
+    match body {
+        Body::Shell(shell) => {
+            let counts = shell.elements.map(|count| count as usize * parts + 1);
+            Some(SurfaceGrid { patches: 1, counts, parts, half: 0.5 * shell.thickness })
+        }
+        Body::ShearShell(shell) => {
+            let patches = shell.mesh.elements.len();
+            Some(SurfaceGrid { patches, counts: [parts + 1; 2], parts, half: 0.5 * shell.thickness })
+        }
+        _ => None,
+    }
 }
 
 /// Stations at nodes: the ends of elements, and the middle node of quadratic elements if it has a station.
 fn nodes(body: &Body, parts: usize, count: usize) -> Vec<usize> {
-    if let Some(SurfaceGrid { counts: [n, m], .. }) = grid(body, parts) {
-        let row = |j: usize| (0..n).step_by(parts).map(move |i| j * n + i);
-        return (0..m).step_by(parts).flat_map(row).collect();
+    if let Some(SurfaceGrid { patches, counts: [n, m], .. }) = grid(body, parts) {
+        let row = |patch: usize, j: usize| (0..n).step_by(parts).map(move |i| (patch * m + j) * n + i);
+        let rows = (0..patches).flat_map(|patch| (0..m).step_by(parts).map(move |j| (patch, j)));
+        return rows.flat_map(|(patch, j)| row(patch, j)).collect();
     }
     let is_quadratic = matches!(body, Body::Beam(beam) if beam.formulation.has_middle_node());
     let stride = if is_quadratic && parts.is_multiple_of(2) { parts / 2 } else { parts };

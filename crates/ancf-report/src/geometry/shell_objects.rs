@@ -2,7 +2,7 @@
 
 use ancf::Model;
 use ancf::mechanics::functions::Function;
-use ancf::model::{Analysis, At, EdgeName, Joint, Load};
+use ancf::model::{Analysis, At, Body, EdgeName, Joint, Load, ShearShell};
 use ancf::solver::equations::State;
 use nalgebra::{Matrix3, Vector3};
 
@@ -25,24 +25,51 @@ pub(crate) struct EdgeSupport {
 pub(crate) fn edge_supports(model: &Model, bodies: &[BodyShape]) -> Vec<EdgeSupport> {
     let of = |(joint, data): (usize, &Joint)| {
         let (place, _) = data.ends();
-        let At::Edge(place_on_edge) = place.at else { return None };
+        let At::Edge(place_on_edge) = &place.at else { return None };
         let shape = bodies.iter().find(|shape| shape.name == place.body)?;
-        let stations = edge_stations(&shape.grid?, place_on_edge.edge);
-        Some(EdgeSupport { joint, stations: stations.map(|k| shape.stations.start + k).collect() })
+        let stations = edge_stations(&shape.grid?, &place_on_edge.edge, mesh_of(model, &place.body));
+        let stations = stations.into_iter().map(|k| shape.stations.start + k).collect();
+        Some(EdgeSupport { joint, stations })
     };
     model.joints.iter().enumerate().filter_map(of).collect()
 }
 
+/// Shear-deformable shell of a name.
+fn mesh_of<'m>(model: &'m Model, name: &str) -> Option<&'m ShearShell> {
+    model.bodies.iter().find_map(|body| match body {
+        Body::ShearShell(shell) if shell.name == name => Some(shell),
+        _ => None,
+    })
+}
+
+/// Station of a node of a mesh, in its first element.
+fn node_station(grid: &SurfaceGrid, shell: &ShearShell, node: usize) -> Option<usize> {
+    let [n, m] = grid.counts;
+    let corners = [0, n - 1, n * m - 1, (m - 1) * n];
+    let of = |(k, element): (usize, &[u32; 4])| {
+        let corner = element.iter().position(|own| *own as usize == node)?;
+        Some(k * n * m + corners[corner])
+    };
+    shell.mesh.elements.iter().enumerate().find_map(of)
+}
+
 /// Stations of an edge, counted from the first station of the body.
-fn edge_stations(grid: &SurfaceGrid, edge: EdgeName) -> impl Iterator<Item = usize> + use<> {
+fn edge_stations(grid: &SurfaceGrid, edge: &EdgeName, mesh: Option<&ShearShell>) -> Vec<usize> {
     let [n, m] = grid.counts;
     let (count, first, step) = match edge {
+        EdgeName::Named(_) => {
+            let of_mesh = |shell: &ShearShell| -> Vec<usize> {
+                let nodes = shell.edge_nodes(edge).into_iter();
+                nodes.filter_map(|node| node_station(grid, shell, node)).collect()
+            };
+            return mesh.map(of_mesh).unwrap_or_default();
+        }
         EdgeName::UStart => (m, 0, n),
         EdgeName::UEnd => (m, n - 1, n),
         EdgeName::VStart => (n, 0, 1),
         EdgeName::VEnd => (n, (m - 1) * n, 1),
     };
-    (0..count).map(move |k| first + k * step)
+    (0..count).map(|k| first + k * step).collect()
 }
 
 /// Load on an edge or on the surface of a shell, drawn as arrows at some stations.
@@ -101,17 +128,29 @@ fn shell_load(model: &Model, bodies: &[BodyShape], load: &Load) -> Option<ShellL
         if follower { LoadDirection::Follower(vector) } else { LoadDirection::Fixed(vector) }
     };
     let (body, edge, direction) = match load {
-        Load::EdgeForce(load) => (&load.body, Some(load.edge), turned(&load.force, false)),
-        Load::EdgeMoment(load) => (&load.body, Some(load.edge), turned(&load.moment, load.follower)),
+        Load::EdgeForce(load) => (&load.body, Some(&load.edge), turned(&load.force, false)),
+        Load::EdgeMoment(load) => (&load.body, Some(&load.edge), turned(&load.moment, load.follower)),
         Load::SurfaceForce(load) => (&load.body, None, turned(&load.force, false)),
         Load::SurfacePressure(load) => (&load.body, None, LoadDirection::Normal(load.pressure)),
         _ => return None,
     };
     let shape = bodies.iter().find(|shape| &shape.name == body)?;
     let grid = shape.grid?;
-    let own: Vec<usize> = match edge {
-        Some(edge) => sparse(&edge_stations(&grid, edge).collect::<Vec<_>>(), true),
-        None => {
+    let mesh = mesh_of(model, body);
+    let own: Vec<usize> = match (edge, mesh) {
+        (Some(edge), _) => sparse(&edge_stations(&grid, edge, mesh), true),
+        (None, Some(shell)) => {
+            let region = match load {
+                Load::SurfaceForce(load) => load.region.as_deref(),
+                Load::SurfacePressure(load) => load.region.as_deref(),
+                _ => None,
+            };
+            let [n, m] = grid.counts;
+            let middle = |element: usize| element * n * m + (m / 2) * n + n / 2;
+            let all: Vec<usize> = shell.region(region)?.into_iter().map(middle).collect();
+            sparse_of(&all, ARROWS * ARROWS, false)
+        }
+        (None, None) => {
             let [n, m] = grid.counts.map(|count| sparse(&(0..count).collect::<Vec<_>>(), false));
             m.iter().flat_map(|j| n.iter().map(move |i| j * grid.counts[0] + i)).collect()
         }
@@ -129,8 +168,13 @@ fn shell_load(model: &Model, bodies: &[BodyShape], load: &Load) -> Option<ShellL
 
 /// At most [`ARROWS`] evenly spaced items, with the ends or without them.
 fn sparse(all: &[usize], with_ends: bool) -> Vec<usize> {
-    let count = ARROWS.min(all.len());
-    let last = all.len() - 1;
+    sparse_of(all, ARROWS, with_ends)
+}
+
+/// At most a number of evenly spaced items, with the ends or without them.
+fn sparse_of(all: &[usize], most: usize, with_ends: bool) -> Vec<usize> {
+    let count = most.min(all.len());
+    let last = all.len().saturating_sub(1);
     let place = |k: usize| match with_ends {
         true => k * last / (count - 1).max(1),
         false => (2 * k + 1) * last / (2 * count),

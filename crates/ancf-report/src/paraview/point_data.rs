@@ -95,7 +95,9 @@ impl PointData<'_> {
     pub fn shell_places(&self) -> Vec<Array> {
         let stations = self.geometry.fields.stations();
         let parameter = |(k, name): (usize, &str)| {
-            self.numbers(name, |point| stations[point.station].surface.map_or(f64::NAN, |at| at[k]))
+            self.numbers(name, |point| {
+                stations[point.station].surface.and_then(|at| at.patch()).map_or(f64::NAN, |at| at[k])
+            })
         };
         let mut arrays: Vec<_> = ["u", "v"].into_iter().enumerate().map(parameter).collect();
         let thickness = |station: usize| {

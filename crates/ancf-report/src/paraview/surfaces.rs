@@ -38,8 +38,12 @@ impl Mesh {
             self.quad(number, corners.map(|k| below + k), true);
         }
         let boundary = grid.boundary();
-        for (k, &a) in boundary.iter().enumerate() {
-            let b = boundary[(k + 1) % boundary.len()];
+        let stride = grid.counts[0] * grid.counts[1];
+        let edges = (0..grid.patches * boundary.len()).map(|k| {
+            let start = k / boundary.len() * stride;
+            [k, k + 1].map(|k| start + boundary[k % boundary.len()])
+        });
+        for [a, b] in edges {
             self.quad(number, [below + a, below + b, first + b, first + a], false);
         }
     }

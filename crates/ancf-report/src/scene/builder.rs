@@ -77,7 +77,7 @@ fn add_bodies(layout: &SceneLayout<'_>, budget: usize, header: &mut Value, blob:
     let (assembly, scales) = (recording.simulation.assembly(), recording.scales());
     let geometry = Geometry::new(recording.model, assembly, scales, recording.surfaces, parts, layout.size);
     let mut notes = recording.messages.clone();
-    let has_mesh = |body: &Body| body.is_flexible() || matches!(body, Body::Shell(_));
+    let has_mesh = |body: &Body| body.is_flexible() || body.is_shell();
     if parts < PARTS && recording.model.bodies.iter().any(has_mesh) {
         notes.push(messages::coarse(parts));
     }

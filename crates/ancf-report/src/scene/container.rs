@@ -35,7 +35,7 @@
 //! A body is `{name, kind: "beam"|"cable"|"shell"|"rigid"|"point", first, count, outline: [[y, z, ny, nz], ..], inner, scale, grid, nodes, box, surface}`.
 //! Its stations are `first .. first + count`. Outlines are those of [`Outline`](crate::geometry::Outline); `inner` is the outline
 //! of a bore or null. `scale` (f32 `[count][2]` or null) multiplies y and z of both outlines at each station. `grid` is null or the
-//! grid of a shell, `{counts: [n, m], parts, half}`: n × m stations along u first, `parts` cells per element in each direction, half
+//! grid of a shell, `{patches, counts: [n, m], parts, half}`: `patches` grids of n × m stations along u first, `parts` cells per element in each direction, half
 //! of the thickness. `nodes` are the
 //! stations at nodes of the mesh, counted from the first station of all. `box` has half of the edges along the three directors
 //! of a rigid body, or three times the radius of a point mass. `surface` is null or

@@ -53,7 +53,12 @@ pub(super) fn body(shape: &BodyShape, blob: &mut Blob) -> Value {
         "outline": outline.map_or(&[] as &[_], |outline| &outline.outer),
         "inner": outline.and_then(|outline| outline.inner.as_ref()),
         "scale": scale,
-        "grid": shape.grid.map(|grid| json!({ "counts": grid.counts, "parts": grid.parts, "half": grid.half })),
+        "grid": shape.grid.map(|grid| json!({
+            "patches": grid.patches,
+            "counts": grid.counts,
+            "parts": grid.parts,
+            "half": grid.half,
+        })),
         "nodes": nodes,
         "box": shape.half_edges,
         "surface": shape.surface.as_ref().map(|triangles| surface(triangles, blob)),

@@ -87,6 +87,7 @@ impl<'a> SceneLayout<'a> {
         let stations = |body: &Body| match body {
             Body::Beam(_) | Body::Cable(_) => along(body.elements()),
             Body::Shell(shell) => shell.elements.map(along).iter().product(),
+            Body::ShearShell(shell) => shell.mesh.elements.len() * (parts as usize + 1).pow(2),
             Body::Rigid(_) | Body::Mass(_) => 1,
         };
         self.recording.model.bodies.iter().map(stations).sum()
@@ -96,6 +97,8 @@ impl<'a> SceneLayout<'a> {
     fn finest_parts(&self, is_suitable: impl Fn(u32) -> bool) -> u32 {
         let along = |body: &Body| match body {
             Body::Shell(shell) => shell.elements.into_iter().min(),
+            // Elements are bilinear: points between their nodes add no shape.
+            Body::ShearShell(shell) => Some(shell.mesh.elements.len() as u32),
             _ => body.is_flexible().then(|| body.elements()),
         };
         let least = self.recording.model.bodies.iter().filter_map(along).min().unwrap_or(FEW);

@@ -46,7 +46,7 @@ impl IndexedModel<'_> {
             .collect();
         let recorded = self.probes.iter().flat_map(|probe| {
             let (body, s, place) = self.probed(&bodies, probe);
-            let surface = self.bodies[body].shell_place(probe.on.at);
+            let surface = self.bodies[body].shell_place(&probe.on.at);
             probe.record.iter().map(move |&quantity| {
                 let (name, place, offset) = (probe.name.clone(), place.clone(), probe.offset);
                 RecordedQuantity { name, quantity, place, body, s, offset, surface }
@@ -88,7 +88,7 @@ impl IndexedModel<'_> {
     /// Number of the body, arc length and place of a probe.
     fn probed(&self, bodies: &[(String, BodyTerms)], probe: &Probe) -> (usize, f64, Attachment) {
         let index = self.body_of(&probe.on);
-        let (s, [y, z]) = (self.bodies[index].arc_length(probe.on.at), probe.offset);
+        let (s, [y, z]) = (self.bodies[index].arc_length(&probe.on.at), probe.offset);
         let place = self.attachment(bodies, &probe.on);
         let point = match (place.axes(), &bodies[index].1) {
             (Some([_, d, e]), BodyTerms::Flexible(_)) => {

@@ -4,7 +4,7 @@ use std::ops::Range;
 use ancf_mechanics::bodies::{BeamMesh, BodyTerms};
 use ancf_mechanics::constraints::Wrench;
 use ancf_mechanics::kinematics::{Attachment, BodyVector, VectorKind};
-use ancf_mechanics::shells::ShellMesh;
+use ancf_mechanics::shells::{ShearShellMesh, ShellMesh, ShellPlace};
 use ancf_solver::equations::{EquationsOfMotion, State, System};
 use ancf_solver::newton::SolveError;
 use nalgebra::Vector3;
@@ -63,8 +63,8 @@ pub struct RecordedQuantity {
     pub s: f64,
     /// Coordinates (y, z) in the section.
     pub offset: [f64; 2],
-    /// Parameters (u, v) on a shell.
-    pub surface: Option<[f64; 2]>,
+    /// Place on a shell.
+    pub surface: Option<ShellPlace>,
 }
 
 impl Assembly {
@@ -110,7 +110,12 @@ impl Assembly {
         self.bodies.iter().find(|(name, _)| name == body).and_then(|(_, body)| body.mesh())
     }
 
-    /// Mesh of a shell.
+    /// Mesh of a shear-deformable shell.
+    pub fn shear_shell(&self, body: &str) -> Option<&ShearShellMesh> {
+        self.bodies.iter().find(|(name, _)| name == body).and_then(|(_, body)| body.shear_shell())
+    }
+
+    /// Mesh of a thin shell.
     pub fn shell(&self, body: &str) -> Option<&ShellMesh> {
         self.bodies.iter().find(|(name, _)| name == body).and_then(|(_, body)| body.shell())
     }
@@ -135,6 +140,10 @@ impl Assembly {
                     Some(node) if let Some(mesh) = body.shell() => {
                         let [u, v] = mesh.node_place(node).map(short);
                         format!("shell `{name}`, node at [{u}, {v}], {} along {axis}", tangent(kind))
+                    }
+                    Some(node) if body.is_shell() => {
+                        let vector = if kind == VectorKind::Position { "r" } else { "d" };
+                        format!("shell `{name}`, node {node}, {vector} along {axis}")
                     }
                     Some(node) => {
                         let s = short(length * body.arc_length(node));

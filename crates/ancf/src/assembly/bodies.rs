@@ -3,11 +3,11 @@
 use ancf_mechanics::bodies::{BeamMesh, BodyTerms, MeshParameters};
 use ancf_mechanics::elements::{BeamMaterial, RigidBody};
 use ancf_mechanics::kinematics::Attachment;
-use ancf_mechanics::shells::{ShellMedium, ShellMesh};
+use ancf_mechanics::shells::{ShearMedium, ShearShellMesh, ShellMedium, ShellMesh};
 use nalgebra::Vector3;
 
 use crate::loads::{Load, rigidity};
-use crate::model::{Beam, Body, IndexedModel, MaterialLaw, Place, Shell, TimeMode};
+use crate::model::{Beam, Body, IndexedModel, MaterialLaw, Place, ShearShell, Shell, TimeMode};
 
 impl IndexedModel<'_> {
     /// Bodies as terms. Coordinates and multipliers are numbered consecutively.
@@ -52,6 +52,7 @@ impl IndexedModel<'_> {
             }
             Body::Mass(point) => BodyTerms::Rigid(RigidBody::point(first[0], centre, point.mass, gravity)),
             Body::Shell(shell) => BodyTerms::Shell(self.shell(shell, first[0])),
+            Body::ShearShell(shell) => BodyTerms::ShearShell(self.shear_shell(shell, first[0])),
             Body::Beam(_) | Body::Cable(_) => BodyTerms::Flexible(self.mesh(body, first[0])),
         }
     }
@@ -59,7 +60,7 @@ impl IndexedModel<'_> {
     fn shell(&self, shell: &Shell, first: usize) -> ShellMesh {
         let material = &self.materials[shell.layers()[0].0];
         let medium = ShellMedium {
-            section: self.laminate(shell).section(),
+            section: self.laminate(shell.layup()).section(),
             axis: shell.fibre_axis.map(Vector3::from),
             retardation: material.damping.strain,
             mass_damping: material.damping.mass,
@@ -67,6 +68,20 @@ impl IndexedModel<'_> {
         };
         let divisions = shell.elements.map(|count| count as usize);
         ShellMesh::new(first, divisions, shell.origin(), |at| shell.map(at), &medium)
+    }
+
+    fn shear_shell(&self, shell: &ShearShell, first: usize) -> ShearShellMesh {
+        let layup = shell.layup();
+        let material = &self.materials[layup.plies()[0].0];
+        let directors = shell.unit_directors();
+        let medium = ShearMedium {
+            section: self.laminate(layup).thick_section(),
+            axis: shell.axis(&directors),
+            retardation: material.damping.strain,
+            mass_damping: material.damping.mass,
+            gravity: Vector3::from(self.gravity),
+        };
+        ShearShellMesh::new(first, &shell.points(), &directors, shell.quads(), &medium)
     }
 
     fn mesh(&self, body: &Body, first: usize) -> BeamMesh {
@@ -118,10 +133,10 @@ impl IndexedModel<'_> {
     pub(crate) fn attachment(&self, bodies: &[(String, BodyTerms)], place: &Place) -> Attachment {
         let index = self.body_of(place);
         let body = &self.bodies[index];
-        let point = body.point(place.at).expect("a checked place is on its body");
+        let point = body.point(&place.at).expect("a checked place is on its body");
         // A shell is attached by its parameters.
-        let point = body.shell_place(place.at).map_or(point, |[u, v]| Vector3::new(u, v, 0.0));
-        let attachment = bodies[index].1.attachment(body.arc_length(place.at), point);
+        let point = body.shell_place(&place.at).map_or(point, |at| at.parameters());
+        let attachment = bodies[index].1.attachment(body.arc_length(&place.at), point);
         if place.offset == [0.0; 3] { attachment } else { attachment.offset(Vector3::from(place.offset)) }
     }
 }

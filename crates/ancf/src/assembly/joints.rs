@@ -66,10 +66,22 @@ impl IndexedModel<'_> {
             },
             End::Ground | End::Point(_) => self.is_continuum(place),
         };
-        let shell = bodies[self.body_of(place)].1.shell();
+        let body = &bodies[self.body_of(place)].1;
+        let (shell, shear_shell) = (body.shell(), body.shear_shell());
         let other_shell =
             if let End::Place(place) = stated { bodies[self.body_of(place)].1.shell() } else { None };
-        let ends = JointEnds { a: &a, b: &b, stated, beam, shell, other_shell, edge_rows, all_gradients };
+        let model_body = &self.bodies[self.body_of(place)];
+        let ends = JointEnds {
+            a: &a,
+            b: &b,
+            stated,
+            beam,
+            shell,
+            shear_shell: shear_shell.zip(model_body.shear_shell()),
+            other_shell,
+            edge_rows,
+            all_gradients,
+        };
         let mut builder = JointBuilder::new(joint.name(), ends, numbering, coupled);
         joint.build(&mut builder);
         builder.finish()
@@ -90,7 +102,7 @@ impl IndexedModel<'_> {
     fn beam(&self, bodies: &[(String, BodyTerms)], place: &Place) -> Option<(Vec<ElementAxis>, f64)> {
         let index = self.body_of(place);
         let axes = bodies[index].1.mesh()?.element_axes().collect();
-        Some((axes, self.bodies[index].arc_length(place.at)))
+        Some((axes, self.bodies[index].arc_length(&place.at)))
     }
 
     /// Equations of the couplings. Multipliers are numbered after those of the joints.

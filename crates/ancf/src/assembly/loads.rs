@@ -76,7 +76,7 @@ impl IndexedModel<'_> {
         let body = self.body_of(a);
         let is_node = |place: &Place| {
             let mesh = bodies[body].1.mesh();
-            mesh.is_some_and(|mesh| mesh.is_node(self.bodies[body].arc_length(place.at)))
+            mesh.is_some_and(|mesh| mesh.is_node(self.bodies[body].arc_length(&place.at)))
         };
         body == self.body_of(b) && is_node(a) && is_node(b)
     }

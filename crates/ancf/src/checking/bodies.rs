@@ -63,12 +63,14 @@ fn rule_of_axis(path: &str, body: &Body) -> Option<Finding> {
     let [from, to] = body.span().map(Vector3::from);
     let (straight, shape) = match body {
         Body::Beam(beam) => (beam.shape.is_straight(), Some(&beam.shape)),
-        Body::Cable(_) | Body::Shell(_) | Body::Rigid(_) | Body::Mass(_) => (true, None),
+        Body::Cable(_) | Body::Shell(_) | Body::ShearShell(_) | Body::Rigid(_) | Body::Mass(_) => {
+            (true, None)
+        }
     };
     let up = match body {
         Body::Beam(beam) => beam.up,
         Body::Cable(cable) => cable.up,
-        Body::Shell(_) | Body::Rigid(_) | Body::Mass(_) => None,
+        Body::Shell(_) | Body::ShearShell(_) | Body::Rigid(_) | Body::Mass(_) => None,
     };
     match (body.curve(), up) {
         (None, _) if straight && from == to => {

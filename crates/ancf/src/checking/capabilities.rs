@@ -71,7 +71,7 @@ fn rule(
         (Body::Rigid(_), Capability::DrivenSection) => {
             (format!("{what} that clamps a rigid body"), "a beam, or a driven \"revolute\" joint")
         }
-        (Body::Shell(_), Capability::Strain) => (
+        (Body::Shell(_) | Body::ShearShell(_), Capability::Strain) => (
             format!("{what} of {}, a shell", quoted(body.name())),
             "a beam or a cable; of shells, record \"resultants\" or \"surface_stress\"",
         ),
@@ -90,7 +90,7 @@ fn rule(
 fn arms(model: &IndexedModel<'_>) -> Vec<Finding> {
     let armed = places_of(model).filter(|(_, place)| place.offset != [0.0; 3]);
     let unfit = armed.filter_map(|(path, place)| match body(model, place)?.1 {
-        Body::Beam(_) | Body::Shell(_) | Body::Rigid(_) => None,
+        Body::Beam(_) | Body::Shell(_) | Body::ShearShell(_) | Body::Rigid(_) => None,
         Body::Cable(_) | Body::Mass(_) => {
             let error = finding(
                 format!("{path}.offset"),

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 
 use crate::errors::{Finding, finding, number};
-use crate::model::{Analysis, Body, IndexedModel, shells_of};
+use crate::model::{Analysis, Body, IndexedModel};
 
 /// Upper limit on the number of elements. Larger values are assumed to be typing errors.
 pub(super) const MAX_ELEMENTS: u64 = 10_000_000;
@@ -49,7 +49,7 @@ fn parts(model: &IndexedModel<'_>) -> Vec<Part> {
     let rigid =
         model.bodies.iter().filter(|body| matches!(body, Body::Rigid(_) | Body::Mass(_))).count() as f64;
     let shells: f64 =
-        shells_of(model).map(|(_, shell)| shell.elements.map(f64::from).iter().product::<f64>()).sum();
+        model.bodies.iter().filter(|body| body.is_shell()).map(|body| f64::from(body.elements())).sum();
     let points: f64 = (0..model.contacts.len()).map(|i| contact_points(model, i)).sum();
     let modes = match &model.analysis {
         Analysis::Modes(modes) => f64::from(modes.count),

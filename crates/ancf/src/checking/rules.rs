@@ -126,7 +126,7 @@ fn rule_of_joint(
     let (r_a, r_b) = (model.point(a)?, model.point(b)?);
     let length = body_a.length().max(body_b.length());
     let length = if length > 0.0 { length } else { model.length() };
-    let near = (body_a.arc_length(a.at) - body_b.arc_length(b.at)).abs() <= ON_AXIS * length;
+    let near = (body_a.arc_length(&a.at) - body_b.arc_length(&b.at)).abs() <= ON_AXIS * length;
     // Both edges of a seam of one shell have the same points. Edges move with any point of a rigid body.
     if matches!(joint, Joint::Seam(_) | Joint::Support(_)) {
         return None;

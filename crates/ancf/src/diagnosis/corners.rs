@@ -34,7 +34,7 @@ fn section(model: &IndexedModel<'_>, place: &Place) -> Option<[Vector3<f64>; 3]>
     let (_, body) = model.named(&place.body)?;
     let Body::Beam(beam) = body else { return None };
     let (curve, up): (ReferenceCurve, _) = (body.curve()?, body.up()?);
-    let nodes = curve.nodes(up, beam.twist, &[0.0, body.arc_length(place.at)]);
+    let nodes = curve.nodes(up, beam.twist, &[0.0, body.arc_length(&place.at)]);
     let is_on_axis = !matches!(place.at, At::Point(_));
     nodes.last().filter(|_| is_on_axis).map(|node| node.frame)
 }

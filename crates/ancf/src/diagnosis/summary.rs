@@ -136,6 +136,7 @@ const fn noun(body: &Body) -> &'static str {
         Body::Beam(_) => "beam",
         Body::Cable(_) => "cable",
         Body::Shell(_) => "shell",
+        Body::ShearShell(_) => "shear-deformable shell",
         Body::Rigid(_) => "rigid body",
         Body::Mass(_) => "point mass",
     }

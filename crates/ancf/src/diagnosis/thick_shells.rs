@@ -43,7 +43,7 @@ pub(crate) fn thickness_warnings(model: &Model) -> Vec<String> {
 /// Ratio of the larger modulus of bending, 12 D/h³, to the smallest shear modulus of the layers. The transverse shear moduli of
 /// fibre-reinforced materials, which models do not contain, are of the size of G_LT or smaller.
 fn moduli_ratio(model: &Model, shell: &Shell) -> f64 {
-    let bending = model.laminate(shell).section().bending;
+    let bending = model.laminate(shell.layup()).section().bending;
     let shear = shell.layers().into_iter().map(|(material, ..)| model.materials[material].ply().shear);
     let modulus = 12.0 * bending[(0, 0)].max(bending[(1, 1)]) / shell.thickness.powi(3);
     modulus / shear.fold(f64::INFINITY, f64::min)
@@ -51,7 +51,7 @@ fn moduli_ratio(model: &Model, shell: &Shell) -> f64 {
 
 /// Describes a laminate whose centre of mass is off the middle surface, in which the mass is assumed.
 fn mass_warning(model: &Model, shell: &Shell) -> Option<String> {
-    let part = model.laminate(shell).centre_of_mass() / shell.thickness;
+    let part = model.laminate(shell.layup()).centre_of_mass() / shell.thickness;
     (part.abs() > OFF_CENTRE).then(|| {
         format!(
             "shell `{}`: the centre of mass of its layers is {} of the thickness off the middle surface, where the mass is assumed",

@@ -105,7 +105,7 @@ impl<'a> GapField<'a> {
     /// True if gaps are not known, as with shells, or joints act between the nodes of elements.
     pub(super) fn is_unknown(&self) -> bool {
         let is_unknown = |body: &BodyGaps<'_>| body.gaps.iter().any(|gap| gap.is_unknown);
-        let has_shells = self.assembly.bodies().any(|(_, body)| body.shell().is_some());
+        let has_shells = self.assembly.bodies().any(|(_, body)| body.is_shell());
         has_shells || self.assembly.inner_loads.has_joints || self.bodies().any(|(_, body)| is_unknown(body))
     }
 

@@ -161,7 +161,7 @@ fn nodal(model: &Model, body: &Body, count: usize) -> usize {
         [Some(a), if let End::Place(b) = b { Some(b) } else { None }]
     });
     let own = ends.flatten().filter(|place| place.body == body.name());
-    let places: Vec<f64> = own.map(|place| body.arc_length(place.at) / body.length()).collect();
+    let places: Vec<f64> = own.map(|place| body.arc_length(&place.at) / body.length()).collect();
     let is_nodal = |n: &usize| {
         let distance = |place: &f64| (place * *n as f64 - (place * *n as f64).round()).abs();
         places.iter().all(|place| distance(place) < AT_NODE)

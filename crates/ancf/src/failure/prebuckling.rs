@@ -43,6 +43,7 @@ pub(crate) fn prebuckling_warning(
         found.loads.iter().map(|load| load.factor).find(|factor| rotation(*factor) > SMALL_ROTATION)?;
     let node = terms.locate_coordinate(first).and_then(|(node, _)| node);
     let at = node.map(|node| match terms.shell() {
+        None if terms.is_shell() => format!(" at node {node}"),
         Some(mesh) => {
             format!(" at [u, v] = [{}, {}]", short(mesh.node_place(node)[0]), short(mesh.node_place(node)[1]))
         }

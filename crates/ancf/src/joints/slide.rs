@@ -100,7 +100,7 @@ impl Slide {
                 let expected = "no arm, since the point slides along the axis";
                 return Some(finding(format!("{path}.b.offset"), "an arm", expected));
             }
-            Body::Shell(_) => "a shell",
+            Body::Shell(_) | Body::ShearShell(_) => "a shell",
             Body::Rigid(_) => "a rigid body",
             Body::Mass(_) => "a point mass",
         };

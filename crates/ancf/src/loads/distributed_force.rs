@@ -107,6 +107,6 @@ impl LoadKind for DistributedForce {
 impl DistributedForce {
     fn part(&self) -> AxisPart<'_> {
         let loads = [self.force, self.force_end.unwrap_or(self.force)];
-        AxisPart { body: &self.body, from: self.from, to: self.to, loads }
+        AxisPart { body: &self.body, from: &self.from, to: &self.to, loads }
     }
 }

@@ -91,6 +91,6 @@ impl LoadKind for DistributedMoment {
 impl DistributedMoment {
     fn part(&self) -> AxisPart<'_> {
         let loads = [self.moment, self.moment_end.unwrap_or(self.moment)];
-        AxisPart { body: &self.body, from: self.from, to: self.to, loads }
+        AxisPart { body: &self.body, from: &self.from, to: &self.to, loads }
     }
 }

@@ -72,7 +72,7 @@ impl<'m> IndexedModel<'m> {
     /// Point of a place in the reference state; `None` if the place does not exist.
     pub(crate) fn point(&self, place: &Place) -> Option<Vector3<f64>> {
         let body = &self.model.bodies[self.body_number(&place.body)?];
-        Some(body.point(place.at)? + Vector3::from(place.offset))
+        Some(body.point(&place.at)? + Vector3::from(place.offset))
     }
 
     /// Reference length ([`Model::length`]), computed once.

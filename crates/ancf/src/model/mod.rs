@@ -21,7 +21,8 @@ pub use analyses::{
 };
 pub use bodies::{
     At, Beam, Body, BodySurface, Cable, Capability, DisplayShape, EdgeName, EdgePlace, Formulation,
-    InitialMotion, Layer, NamedPosition, Place, PointMass, Rigid, Shape, Shell, ShellSurface, Slopes,
+    InitialMotion, Layer, Layup, MeshGroup, NamedPosition, NodePlace, Place, PointMass, PointPlace, QuadMesh,
+    Rigid, Shape, ShearShell, Shell, ShellSurface, Slopes,
 };
 pub use contacts::{Contact, ContactSurface, Cylinder, ObstacleKind, Plane, Sphere};
 pub use functions::{Input, JointLaw, LawKind, LawUse, TimeFunction, Varying};
@@ -43,10 +44,10 @@ pub use crate::loads::{
     Fluid, Load, PointForce, PointMoment, SurfaceForce, SurfacePressure,
 };
 pub use crate::units::{ScaleChoice, Units};
-pub(crate) use bodies::{ON_AXIS, shell_body};
+pub(crate) use bodies::{ON_AXIS, edge_of_shell, named, region_of_shell, shell_body};
 pub(crate) use functions::TimeMode;
 pub(crate) use indexed::IndexedModel;
-pub(crate) use queries::{beams_of, bodies_of, joints_of, loads_of, shells_of};
+pub(crate) use queries::{beams_of, bodies_of, joints_of, loads_of, shear_shells_of, shells_of};
 pub(crate) use sections::disk_area;
 
 /// Flexible multibody model as given by the user.

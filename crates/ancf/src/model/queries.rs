@@ -8,7 +8,7 @@ use ancf_mechanics::shells::{Laminate, Ply};
 
 use crate::joints::Joint;
 use crate::loads::Load;
-use crate::model::bodies::{Beam, Body, PointMass, Rigid, Shell};
+use crate::model::bodies::{Beam, Body, Layup, PointMass, Rigid, ShearShell, Shell};
 use crate::model::contacts::{Contact, ObstacleKind};
 use crate::model::functions::{JointLaw, LawUse, TimeFunction, TimeMode, Varying};
 use crate::model::sections::Section;
@@ -24,7 +24,7 @@ impl Model {
 
     /// True if a body is a shell.
     pub fn has_shells(&self) -> bool {
-        self.bodies.iter().any(|body| matches!(body, Body::Shell(_)))
+        self.bodies.iter().any(Body::is_shell)
     }
 
     /// Total mass of all bodies.
@@ -32,18 +32,20 @@ impl Model {
         let mass = |body: &Body| match body {
             Body::Rigid(Rigid { mass, .. }) | Body::Mass(PointMass { mass, .. }) => *mass,
             Body::Beam(_) | Body::Cable(_) => self.line_mass(body),
-            Body::Shell(shell) => self.laminate(shell).section().density * shell.area(),
+            Body::Shell(_) | Body::ShearShell(_) => {
+                body.layup().map_or(0.0, |layup| self.laminate(layup).section().density * body.area())
+            }
         };
         self.bodies.iter().map(mass).sum()
     }
 
     /// Layers of a shell of a valid model.
-    pub fn laminate(&self, shell: &Shell) -> Laminate {
+    pub fn laminate(&self, layup: Layup<'_>) -> Laminate {
         let ply = |(material, thickness, angle): (&str, f64, f64)| {
             let material = &self.materials[material];
             Ply { elasticity: material.ply(), density: material.density, thickness, angle }
         };
-        Laminate::new(shell.layers().into_iter().map(ply).collect())
+        Laminate::new(layup.plies().into_iter().map(ply).collect())
     }
 
     /// Mass of a flexible body. Simpson's rule is exact, since areas are at most quadratic along the axis.
@@ -213,10 +215,19 @@ pub(crate) fn beams_of(model: &Model) -> impl Iterator<Item = (String, &Beam)> {
         .filter_map(|(path, body)| if let Body::Beam(beam) = body { Some((path, beam)) } else { None })
 }
 
-/// Shells with their paths.
+/// Thin shells with their paths.
 pub(crate) fn shells_of(model: &Model) -> impl Iterator<Item = (String, &Shell)> {
     bodies_of(model)
         .filter_map(|(path, body)| if let Body::Shell(shell) = body { Some((path, shell)) } else { None })
+}
+
+/// Shear-deformable shells with their paths.
+pub(crate) fn shear_shells_of(model: &Model) -> impl Iterator<Item = (String, &ShearShell)> {
+    bodies_of(model).filter_map(
+        |(path, body)| {
+            if let Body::ShearShell(shell) = body { Some((path, shell)) } else { None }
+        },
+    )
 }
 
 /// Joints with their paths.

@@ -3,6 +3,7 @@
 use serde::Deserialize;
 use toml::Value;
 
+use super::meshes::read_meshes;
 use crate::assembly::{Assembly, contradictions};
 use crate::checking::{broken_rules, with_memory};
 use crate::errors::{Finding, ModelError, ModelErrors, quoted};
@@ -134,7 +135,11 @@ pub(super) fn check_data(data: Value) -> (Option<Model>, Vec<Finding>) {
     check_data_by(data, rules_and_contradictions)
 }
 
-fn check_data_by(data: Value, rules: Rules) -> (Option<Model>, Vec<Finding>) {
+fn check_data_by(mut data: Value, rules: Rules) -> (Option<Model>, Vec<Finding>) {
+    let unread = read_meshes(&mut data);
+    if !unread.is_empty() {
+        return (None, unread);
+    }
     let (mut check, corrected) = SchemaCheck::of(&SCHEMA, &data);
     drop(data);
     let mut findings = std::mem::take(&mut check.findings);

@@ -1,6 +1,8 @@
 //! Reading of models from text, checks of models and parts, and supplied functions.
 
 mod check;
+mod gmsh;
+mod meshes;
 mod part;
 mod read;
 mod substitute;

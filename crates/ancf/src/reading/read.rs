@@ -7,6 +7,7 @@ use serde_json::Value as Json;
 use toml::Value;
 
 use super::check::check_data;
+use super::meshes::embed_meshes;
 use crate::errors::{Finding, ModelError, ModelErrors};
 use crate::model::Model;
 use crate::schema::{Document, SchemaCheck, position};
@@ -23,13 +24,14 @@ impl Model {
         Self::parse(&Self::read_text(path)?)
     }
 
-    /// Reads the text of a model file, for [`Model::parse`].
+    /// Reads the text of a model file, for [`Model::parse`]. Paths of mesh files are replaced by the texts of the files.
     ///
     /// # Errors
-    /// The reason why the file cannot be read.
+    /// The reason why the file or a mesh file cannot be read.
     pub fn read_text(path: impl AsRef<Path>) -> Result<String, ModelErrors> {
+        let path = path.as_ref();
         let file = fs::File::open(path).map_err(|error| ModelErrors(vec![unreadable(&error)]))?;
-        Self::read_text_from(file)
+        embed_meshes(Self::read_text_from(file)?, path.parent().unwrap_or(Path::new("")))
     }
 
     /// Reads the text of a model from a stream, such as standard input.

@@ -1,9 +1,9 @@
 use std::sync::Arc;
 
-use ancf_mechanics::bodies::{BodyTerms, CarriedFrame};
+use ancf_mechanics::bodies::{BodyTerms, CarriedFrame, SurfaceField};
 use ancf_mechanics::constraints::Wrench;
 use ancf_mechanics::kinematics::Attachment;
-use ancf_mechanics::shells::{StressField, SurfaceStress};
+use ancf_mechanics::shells::{ShellPlace, SurfacePlace, SurfaceStress};
 use ancf_solver::equations::{State, Term};
 use nalgebra::Vector3;
 
@@ -69,8 +69,8 @@ pub struct Station {
     pub body: usize,
     /// Arc length of the undeformed axis, in the user's units; 0 for shells and rigid bodies.
     pub s: f64,
-    /// Parameters (u, v) of a point of a shell.
-    pub surface: Option<[f64; 2]>,
+    /// Place on a shell.
+    pub surface: Option<ShellPlace>,
     arc_length: f64,
     place: Attachment,
 }
@@ -78,7 +78,8 @@ pub struct Station {
 /// Evaluates fields of states at stations, in the order of the bodies.
 ///
 /// Stations are the nodes of beams, cables and shells, points between them on request, and the centres of rigid bodies. Those of
-/// a shell are a grid, along u first.
+/// a thin shell are a grid, along u first. Those of a shear-deformable shell are a grid in each element, along ξ first: nodes have a
+/// station in each of their elements, with equal values.
 #[derive(Debug)]
 pub struct Fields<'a> {
     assembly: &'a Assembly,
@@ -159,13 +160,16 @@ impl<'a> Fields<'a> {
 
     /// Calls `visit` with the stresses of each station, which only shells have, in the units of the solver.
     pub fn each_surface_stress(&self, s: &State, mut visit: impl FnMut(Option<SurfaceStress>)) {
-        let mut field: Option<(usize, StressField<'_>)> = None;
+        let mut field: Option<(usize, Option<SurfaceField<'_>>)> = None;
         for station in &self.stations {
-            let shell = self.assembly.body_of(station.body).shell().zip(station.surface);
-            visit(shell.map(|(mesh, at)| match &field {
-                Some((body, field)) if *body == station.body => field.at(at),
-                _ => field.insert((station.body, StressField::new(mesh, s))).1.at(at),
-            }));
+            let (_, own) = match &field {
+                Some(known) if known.0 == station.body => known,
+                _ => {
+                    let body = self.assembly.body_of(station.body);
+                    &*field.insert((station.body, SurfaceField::new(body, s)))
+                }
+            };
+            visit(own.as_ref().zip(station.surface).and_then(|(own, at)| own.at(at)));
         }
     }
 
@@ -206,7 +210,7 @@ impl<'a> Fields<'a> {
 }
 
 /// Arc length, parameters on a surface, and attachment of a station.
-type StationPlace = (f64, Option<[f64; 2]>, Attachment);
+type StationPlace = (f64, Option<ShellPlace>, Attachment);
 
 /// Stations of a body.
 fn stations_of(body: &BodyTerms, parts: u32) -> Vec<StationPlace> {
@@ -217,7 +221,17 @@ fn stations_of(body: &BodyTerms, parts: u32) -> Vec<StationPlace> {
             (0..=count).map(|i| (at(i), None, mesh.attachment(at(i)))).collect()
         }
         BodyTerms::Shell(mesh) => {
-            mesh.grid(parts as usize).map(|at| (0.0, Some(at), mesh.station(at))).collect()
+            let station = |at| (0.0, Some(ShellPlace::Patch(at)), mesh.station(at));
+            mesh.grid(parts as usize).map(station).collect()
+        }
+        BodyTerms::ShearShell(mesh) => {
+            let at = |k: u32| f64::from(k) / f64::from(parts);
+            let places = (0..mesh.elements().len()).flat_map(|element| {
+                let row =
+                    move |j: u32| (0..=parts).map(move |i| SurfacePlace { element, at: [at(i), at(j)] });
+                (0..=parts).flat_map(row)
+            });
+            places.map(|place| (0.0, Some(ShellPlace::Element(place)), mesh.station(place))).collect()
         }
         BodyTerms::Rigid(body) => vec![(0.0, None, body.attachment(body.centre()))],
     }

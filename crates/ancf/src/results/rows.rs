@@ -337,9 +337,10 @@ impl Rows {
                     self.extend(moment, Dimension::ENERGY);
                 }
                 Quantity::Resultants | Quantity::SurfaceStress => {
-                    let shell = assembly.body_of(probe.body).shell().zip(probe.surface);
-                    let Some((mesh, at)) = shell else { continue };
-                    let found = mesh.stress(s, at);
+                    let body = assembly.body_of(probe.body);
+                    let Some(found) = probe.surface.and_then(|at| body.surface_stress(s, at)) else {
+                        continue;
+                    };
                     if probe.quantity == Quantity::Resultants {
                         self.extend(found.force, Dimension::FORCE_PER_LENGTH);
                         self.extend(found.moment, Dimension::FORCE);

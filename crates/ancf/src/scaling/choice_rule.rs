@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use crate::model::{Model, shells_of};
+use crate::model::Model;
 use crate::units::{ChosenScales, ScaleChoice, Scales};
 
 /// Quantities of a model from which its units are chosen.
@@ -56,12 +56,12 @@ impl Model {
             return ReferenceQuantities { name, length, line_mass, force, force_formula: "E I/L2" };
         }
         let (length, mass) = (self.length(), self.mass());
-        let shell = shells_of(self).max_by(|(_, a), (_, b)| a.extent().total_cmp(&b.extent()));
-        if let Some((_, shell)) = shell {
-            let length = shell.extent();
-            let section = self.laminate(shell).section();
+        let shells = self.bodies.iter().filter_map(|body| Some((body, body.layup()?)));
+        if let Some((shell, layup)) = shells.max_by(|(a, _), (b, _)| a.length().total_cmp(&b.length())) {
+            let length = shell.length();
+            let section = self.laminate(layup).section();
             return ReferenceQuantities {
-                name: format!("the largest shell, `{}`", shell.name),
+                name: format!("the largest shell, `{}`", shell.name()),
                 length,
                 line_mass: section.density * shell.area() / length,
                 force: section.bending[(0, 0)].max(section.bending[(1, 1)]) / length,

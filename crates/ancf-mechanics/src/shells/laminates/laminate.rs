@@ -1,6 +1,7 @@
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::{Matrix2, Matrix3, Vector3};
 
 use super::section::{ShellSection, SurfaceMaterial, strain_transform};
+use super::thick_section::{SHEAR_CORRECTION, ThickSection};
 
 /// Distance from the boundary of two plies, relative to the thickness, that counts as rounding.
 const ON_BOUNDARY: f64 = 1e-9;
@@ -16,17 +17,20 @@ pub struct PlyElasticity {
     pub poisson: f64,
     /// Shear modulus G_LT.
     pub shear: f64,
+    /// Transverse shear moduli G_LZ and G_TZ, Z along the normal. Thin shells do not use them.
+    pub transverse_shear: [f64; 2],
 }
 
 impl PlyElasticity {
     /// Constants of an isotropic material.
     pub fn isotropic(young: f64, poisson: f64) -> Self {
-        Self { young: [young; 2], poisson, shear: 0.5 * young / (1.0 + poisson) }
+        let shear = 0.5 * young / (1.0 + poisson);
+        Self { young: [young; 2], poisson, shear, transverse_shear: [shear; 2] }
     }
 
     /// Returns the stiffness in the axes of the fibres: σ = Q ε for (LL, TT, 2 LT).
     fn stiffness(&self) -> Matrix3<f64> {
-        let Self { young: [along, across], poisson, shear } = *self;
+        let Self { young: [along, across], poisson, shear, .. } = *self;
         let other = poisson * across / along;
         let (q, coupling) = (1.0 / (1.0 - poisson * other), poisson * across);
         Matrix3::new(along * q, coupling * q, 0.0, coupling * q, across * q, 0.0, 0.0, 0.0, shear)
@@ -100,6 +104,28 @@ impl Laminate {
         let surfaces = [height, 0.0, -height]
             .map(|height| SurfaceMaterial { height, stiffness: self.stiffness_at(height) });
         ShellSection { membrane, coupling, bending, density, surfaces }
+    }
+
+    /// Returns the section of a shear-deformable shell: S = ⅚ Σ Rᵀ diag(G_LZ, G_TZ) R (z₁ − z₀), the stiffness Σ E_T (z₁ − z₀) of
+    /// the thickness, and the moments of the mass.
+    pub fn thick_section(&self) -> ThickSection {
+        let (mut shear, mut thickness, mut inertia) = (Matrix2::zeros(), 0.0, [0.0; 3]);
+        for (ply, [low, high]) in self.heights() {
+            let (sin, cos) = ply.angle.sin_cos();
+            let to_fibres = Matrix2::new(cos, sin, -sin, cos);
+            let [along, across] = ply.elasticity.transverse_shear;
+            let own = to_fibres.transpose() * Matrix2::new(along, 0.0, 0.0, across) * to_fibres;
+            shear += own * (SHEAR_CORRECTION * (high - low));
+            thickness += ply.elasticity.young[1] * (high - low);
+            for (power, sum) in (1..).zip(&mut inertia) {
+                *sum += ply.density * (high.powi(power) - low.powi(power)) / f64::from(power);
+            }
+        }
+        // The centre of mass of a symmetric laminate is in the middle: what remains are rounding errors.
+        if inertia[1].abs() < 1e-13 * inertia[0] * self.thickness() {
+            inertia[1] = 0.0;
+        }
+        ThickSection { surface: self.section(), shear, thickness, inertia }
     }
 
     /// Returns the height of the centre of mass.

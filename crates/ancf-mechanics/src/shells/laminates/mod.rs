@@ -2,7 +2,9 @@
 
 mod laminate;
 mod section;
+mod thick_section;
 
 pub use laminate::{Laminate, Ply, PlyElasticity};
 pub use section::{ShellSection, SurfaceMaterial};
 pub(crate) use section::{strain_transform, to_orthonormal};
+pub use thick_section::ThickSection;

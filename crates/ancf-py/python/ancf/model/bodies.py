@@ -30,9 +30,12 @@ __all__ = [
     "Helix",
     "InitialMotion",
     "Layer",
+    "MeshGroup",
     "PointMass",
+    "QuadMesh",
     "RevolvedSurface",
     "RigidBody",
+    "ShearShell",
     "Shell",
     "ShellSurface",
     "SlopeCoordinates",
@@ -321,6 +324,65 @@ ShellSurface: TypeAlias = FlatSurface | RevolvedSurface | SphericalSurface | Twi
 
 The normal is that of the directions of u and v by the right-hand rule.
 """
+
+
+@checked_arguments
+@dataclass(kw_only=True, slots=True, eq=False, repr=False)
+class MeshGroup(Part):
+    """Named part of a mesh: nodes, edges or elements, by their numbers from 0.
+
+    One node is a point, elements are a region.
+
+    Attributes
+    ----------
+    edges
+        Chains of nodes along edges of elements. A closed chain ends with its first node.
+    elements
+        Elements.
+    nodes
+        Nodes.
+
+    """
+
+    _form = "MeshGroup"
+
+    edges: Points | None = None
+    elements: Sequence[int] | None = None
+    nodes: Sequence[int] | None = None
+
+
+@checked_arguments
+@dataclass(kw_only=True, slots=True, eq=False, repr=False)
+class QuadMesh(Part):
+    """Mesh of quadrilaterals: lists of nodes and elements, counted from 0, or a file with them.
+
+    Attributes
+    ----------
+    directors
+        Directions of the directors at all nodes; by default from the normals of the elements.
+    elements
+        Elements: numbers of four nodes each, counter-clockwise seen from the side of the normal.
+    file
+        Path of a mesh file of Gmsh (.msh, version 2.2 or 4.1, text), relative to the folder of the model
+        file, instead of lists.
+    groups
+        Named points, edges and regions. Those of a file are its physical groups.
+    nodes
+        Nodes, length.
+    scale
+        Length of the unit of the file: 0.001 for millimetres in a model in metres, length; 1 by default (>
+        0).
+
+    """
+
+    _form = "QuadMesh"
+
+    directors: Points | None = None
+    elements: Points | None = None
+    file: str | None = None
+    groups: Mapping[str, MeshGroup] | None = None
+    nodes: Points | None = None
+    scale: float | None = None
 
 
 @checked_arguments
@@ -617,6 +679,51 @@ class Shell(Surface):
 
 @checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
+class ShearShell(Part):
+    """Shear-deformable shell or plate on a mesh of quadrilaterals.
+
+    Attributes
+    ----------
+    name
+        Name of the shell in joints, loads and probes.
+    mesh
+        Mesh of the middle surface in the reference state, which is free of stress.
+    thickness
+        Thickness, length (> 0).
+    material
+        Name of the material, a key of ``materials``. Or the material itself.
+    crease
+        Largest angle of the normals of neighbouring elements, in radians. Larger ones are kinks, which are
+        rejected; 0.7 by default (> 0, < 1.5).
+    fibre_axis
+        Axis whose projection on the surface is the first direction of stresses and the fibre angle zero;
+        required with orthotropic materials.
+    layers
+        Layers from the lower to the upper side in the direction of the normal; by default a single one.
+    motion
+        Initial velocities in dynamics; at rest by default.
+
+    """
+
+    _form = "Body"
+    _tag = "kind"
+    kind: ClassVar[Literal["shear_shell"]] = "shear_shell"
+    _tables: ClassVar[Mapping[str, str]] = {
+        "material": "materials",
+    }
+
+    name: str = field(kw_only=False)
+    mesh: QuadMesh
+    thickness: float
+    material: str | Material
+    crease: float | None = None
+    fibre_axis: Vector | None = None
+    layers: Sequence[Layer] | None = None
+    motion: InitialMotion | None = None
+
+
+@checked_arguments
+@dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class RigidBody(Frame):
     """Rigid body.
 
@@ -686,5 +793,5 @@ class PointMass(Point):
     surface: BodySurface | None = None
 
 
-Body: TypeAlias = Beam | Cable | Shell | RigidBody | PointMass
+Body: TypeAlias = Beam | Cable | Shell | ShearShell | RigidBody | PointMass
 """Body of the model."""

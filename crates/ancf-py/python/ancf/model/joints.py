@@ -554,7 +554,8 @@ class MatrixBushing(Part):
 class Support(Part):
     """Support of an edge or of a node of a shell by the ground, or of an edge by a rigid body.
 
-    The normal of a Kirchhoff-Love shell rotates about an edge by the slope across it. Stretches stay free.
+    The normal of a thin shell rotates about an edge by the slope across it. The director of a
+    shear-deformable shell is constrained itself. Stretches and thickness stay free.
 
     Attributes
     ----------
@@ -569,6 +570,9 @@ class Support(Part):
         Global axes along which displacements are zero, for ``condition = "guided"``.
     b
         Rigid body with which the edge moves, at any of its places; the ground by default.
+    hard
+        True for a hard support of an edge of a shear-deformable shell: directors do not rotate along it. For
+        ``"hinged"`` and ``"guided"``.
 
     """
 
@@ -581,6 +585,7 @@ class Support(Part):
     condition: SupportCondition
     axes: Sequence[SupportedAxis] | None = None
     b: JointEnd | None = None
+    hard: bool | None = None
 
 
 @checked_arguments

@@ -175,7 +175,7 @@ class EdgeForce(Part):
     body
         Name of the shell.
     edge
-        Edge. One of ``"u_start"``, ``"u_end"``, ``"v_start"``, ``"v_end"``.
+        Edge.
     force
         Force per undeformed length in the global frame, force/length.
     time
@@ -203,7 +203,7 @@ class EdgeMoment(Part):
     body
         Name of the shell.
     edge
-        Edge. One of ``"u_start"``, ``"u_end"``, ``"v_start"``, ``"v_end"``.
+        Edge.
     moment
         Moment per undeformed length in the global frame, of a follower in the undeformed state; force.
     follower
@@ -235,6 +235,9 @@ class SurfaceForce(Part):
         Name of the shell.
     force
         Force per undeformed area in the global frame, force/length².
+    region
+        Name of a group of elements of a shear-deformable shell on which the load acts; the whole shell by
+        default.
     time
         Function of time that multiplies the load. Statics ignores it. Default: ``1.0``.
 
@@ -246,6 +249,7 @@ class SurfaceForce(Part):
 
     body: str
     force: Vector
+    region: str | None = None
     time: TimeFunction | None = None
 
 
@@ -259,8 +263,11 @@ class SurfacePressure(Part):
     body
         Name of the shell.
     pressure
-        Force per deformed area along the normal, which is that of u and v by the right-hand rule;
-        force/length². Negative values act against the normal.
+        Force per deformed area along the normal, which is that of u and v, or of the order of the nodes of
+        elements, by the right-hand rule; force/length². Negative values act against the normal.
+    region
+        Name of a group of elements of a shear-deformable shell on which the load acts; the whole shell by
+        default.
     time
         Function of time that multiplies the load. Statics ignores it. Default: ``1.0``.
 
@@ -272,6 +279,7 @@ class SurfacePressure(Part):
 
     body: str
     pressure: float
+    region: str | None = None
     time: TimeFunction | None = None
 
 

@@ -67,7 +67,10 @@ class Orthotropic(Part):
     young
         Young's modulus E_T transverse to the fibres, force/area (> 0).
     shear
-        Shear modulus G_LT, force/area (> 0).
+        Shear modulus G_LT, force/area. It is also the transverse shear modulus G_LZ (> 0).
+    transverse_shear
+        Transverse shear modulus G_TZ, force/area, normal to the fibres; required by shear-deformable shells
+        (> 0).
 
     """
 
@@ -75,6 +78,7 @@ class Orthotropic(Part):
 
     young: float
     shear: float
+    transverse_shear: float | None = None
 
 
 @checked_arguments

@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use crate::errors::{Finding, finding, is_direction, no_direction, number, quoted};
-use crate::model::{IndexedModel, Material, MaterialLaw, Orthotropic, Shell, bodies_of};
+use crate::model::{IndexedModel, Layup, Material, MaterialLaw, Orthotropic, Shell, bodies_of};
 use crate::schema::unknown;
 
 /// Largest difference of the sum of the thicknesses of layers from that of the shell, relative to it.
@@ -42,12 +42,11 @@ pub(super) fn materials(model: &IndexedModel<'_>) -> Vec<Finding> {
     findings
 }
 
-/// Checks the layers of a shell and their materials.
-pub(super) fn layers(model: &IndexedModel<'_>, path: &str, shell: &Shell) -> Vec<Finding> {
-    let mut findings: Vec<Finding> = rule_of_axis(path, shell).into_iter().collect();
-    findings.extend(rule_of_thicknesses(path, shell));
-    let first = model.materials.get(shell.layers()[0].0);
-    for (k, layer) in shell.layers.iter().enumerate() {
+/// Checks the layers of a shell of either kind and their materials.
+pub(super) fn layers(model: &IndexedModel<'_>, path: &str, layup: Layup<'_>) -> Vec<Finding> {
+    let mut findings: Vec<Finding> = rule_of_thicknesses(path, layup).into_iter().collect();
+    let first = model.materials.get(layup.plies()[0].0);
+    for (k, layer) in layup.layers.iter().enumerate() {
         let Some(name) = &layer.material else { continue };
         let key = format!("{path}.layers[{k}].material");
         let Some(material) = model.materials.get(name) else {
@@ -75,7 +74,7 @@ fn rule_of_layer(key: String, name: &str, material: &Material, first: Option<&Ma
 }
 
 /// Checks that either no layer or all layers have a thickness, with the sum of the shell.
-fn rule_of_thicknesses(path: &str, shell: &Shell) -> Option<Finding> {
+fn rule_of_thicknesses(path: &str, shell: Layup<'_>) -> Option<Finding> {
     let given = shell.layers.iter().filter_map(|layer| layer.thickness);
     let (count, sum) = (given.clone().count(), given.sum::<f64>());
     if count == 0 {
@@ -94,7 +93,7 @@ fn rule_of_thicknesses(path: &str, shell: &Shell) -> Option<Finding> {
 }
 
 /// Checks that the axis has a projection on the surface everywhere.
-fn rule_of_axis(path: &str, shell: &Shell) -> Option<Finding> {
+pub(super) fn rule_of_axis(path: &str, shell: &Shell) -> Option<Finding> {
     const PARTS: usize = 16;
     let axis = shell.fibre_axis?;
     let key = format!("{path}.fibre_axis");

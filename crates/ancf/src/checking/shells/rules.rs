@@ -2,12 +2,13 @@
 
 use nalgebra::Vector3;
 
-use super::laminates;
+use super::{laminates, meshes};
 use crate::errors::{Finding, finding, number, quoted};
 use crate::joints::{ClampedGradients, End, Joint};
 use crate::loads::Load;
 use crate::model::{
-    At, Body, IndexedModel, MaterialLaw, Place, Shell, ShellSurface, joints_of, loads_of, shells_of,
+    At, Body, IndexedModel, Layup, MaterialLaw, Place, Shell, ShellSurface, joints_of, loads_of,
+    shear_shells_of, shells_of,
 };
 
 /// Largest angle of an element of a surface of revolution. Beyond it, the interpolated surface differs from it by more than 0.1 %.
@@ -21,12 +22,18 @@ const ON_NODE: f64 = 1e-9;
 pub(crate) fn shells(model: &IndexedModel<'_>) -> Vec<Finding> {
     let mut findings = Vec::new();
     for (path, shell) in shells_of(model) {
-        findings.extend(rule_of_material(model, &path, shell));
+        findings.extend(rule_of_material(model, &path, shell.layup()));
         findings.extend(rule_of_surface(&path, shell));
-        findings.extend(laminates::layers(model, &path, shell));
+        findings.extend(laminates::rule_of_axis(&path, shell));
+        findings.extend(laminates::layers(model, &path, shell.layup()));
+    }
+    for (path, shell) in shear_shells_of(model) {
+        findings.extend(rule_of_material(model, &path, shell.layup()));
+        findings.extend(laminates::layers(model, &path, shell.layup()));
+        findings.extend(meshes::rules(model, &path, shell));
     }
     findings.extend(laminates::materials(model));
-    if shells_of(model).next().is_none() {
+    if !model.has_shells() {
         return findings;
     }
     findings.extend(joints_of(model).flat_map(|(path, joint)| rules_of_joint(model, &path, joint)));
@@ -41,11 +48,11 @@ pub(crate) fn shells(model: &IndexedModel<'_>) -> Vec<Finding> {
     findings
 }
 
-fn rule_of_material(model: &IndexedModel<'_>, path: &str, shell: &Shell) -> Option<Finding> {
+fn rule_of_material(model: &IndexedModel<'_>, path: &str, shell: Layup<'_>) -> Option<Finding> {
     let key = format!("{path}.material");
-    let Some(material) = model.materials.get(&shell.material) else {
+    let Some(material) = model.materials.get(shell.material) else {
         let expected = "the name of a material, a key of `materials`";
-        return Some(finding(key, quoted(&shell.material), expected).rests_on(["materials".into()]));
+        return Some(finding(key, quoted(shell.material), expected).rests_on(["materials".into()]));
     };
     (material.law == MaterialLaw::NeoHookean).then(|| {
         let expected = "one whose law is \"st_venant_kirchhoff\"";
@@ -110,7 +117,12 @@ fn rule_of_surface(path: &str, shell: &Shell) -> Option<Finding> {
     })
 }
 
-/// Shell of a place.
+/// True for a place on a shell of either kind.
+fn is_on_shell(model: &IndexedModel<'_>, place: &Place) -> bool {
+    model.named(&place.body).is_some_and(|(_, body)| body.is_shell())
+}
+
+/// Thin shell of a place.
 fn shell_of<'m>(model: &IndexedModel<'m>, place: &Place) -> Option<&'m Shell> {
     match model.named(&place.body)?.1 {
         Body::Shell(shell) => Some(shell),
@@ -124,7 +136,9 @@ fn rules_of_joint(model: &IndexedModel<'_>, path: &str, joint: &Joint) -> Vec<Fi
     let b = if let End::Place(b) = b { Some(("b", b)) } else { None };
     let ends = [("a", a)].into_iter().chain(b);
     let of_end = |(end, place): (&str, &Place)| {
-        let shell = shell_of(model, place)?;
+        if !is_on_shell(model, place) {
+            return None;
+        }
         let key = format!("{path}.{end}.at");
         let all = match joint {
             Joint::Clamp(clamp) => clamp.fix == Some(ClampedGradients::All),
@@ -132,15 +146,15 @@ fn rules_of_joint(model: &IndexedModel<'_>, path: &str, joint: &Joint) -> Vec<Fi
             _ => false,
         };
         if all {
-            let expected = "\"section\": the directors of a shell are its two tangents";
+            let expected = "\"section\": the frame of a shell follows its tangents or its director";
             return Some(finding(format!("{path}.fix"), "\"all\" on a shell", expected));
         }
         if matches!(place.at, At::Edge(_)) {
-            let expected = "a node [u, v]; edges have joints of kind \"support\" and \"seam\"";
+            let expected = "a node; edges have joints of kind \"support\" and \"seam\"";
             return (!matches!(joint, Joint::Support(_) | Joint::Seam(_)))
                 .then(|| finding(key, "an edge", expected));
         }
-        let at = place.at.on_surface()?;
+        let (shell, at) = (shell_of(model, place)?, place.at.on_surface()?);
         let off = |k: usize| {
             let x = at[k] * f64::from(shell.elements[k]);
             (x - x.round()).abs() > ON_NODE
@@ -157,19 +171,18 @@ fn rules_of_joint(model: &IndexedModel<'_>, path: &str, joint: &Joint) -> Vec<Fi
 
 /// Checks that point loads act on points of shells, and loads of shells on shells.
 fn rule_of_load(model: &IndexedModel<'_>, path: &str, load: &Load) -> Option<Finding> {
-    let place = load.on()?;
-    shell_of(model, place)?;
-    let expected = "a point [u, v]; edges have loads of kind \"edge_force\" and \"edge_moment\"";
+    let place = load.on().filter(|place| is_on_shell(model, place))?;
+    let expected = "a point; edges have loads of kind \"edge_force\" and \"edge_moment\"";
     matches!(place.at, At::Edge(_)).then(|| finding(format!("{path}.on.at"), "an edge", expected))
 }
 
 fn rules_of_probes(model: &IndexedModel<'_>) -> Vec<Finding> {
     let probes = model.probes.iter().enumerate();
-    let on_shells = probes.filter(|(_, probe)| shell_of(model, &probe.on).is_some());
+    let on_shells = probes.filter(|(_, probe)| is_on_shell(model, &probe.on));
     let rule = |(i, probe): (usize, &crate::model::Probe)| {
         let path = format!("probes[{i}]");
         if matches!(probe.on.at, At::Edge(_)) {
-            return Some(finding(format!("{path}.on.at"), "an edge", "a point [u, v]"));
+            return Some(finding(format!("{path}.on.at"), "an edge", "a point"));
         }
         (probe.offset != [0.0; 2]).then(|| {
             let expected = "no offset: a shell has no cross-section; `on.offset` is an arm";
@@ -184,7 +197,7 @@ fn rules_of_contacts(model: &IndexedModel<'_>) -> Vec<Finding> {
     let contacts = model.contacts.iter().enumerate();
     let rule = |(i, contact): (usize, &crate::model::Contact)| {
         let path = format!("contacts[{i}]");
-        if contact.with.on().is_some_and(|place| shell_of(model, place).is_some()) {
+        if contact.with.on().is_some_and(|place| is_on_shell(model, place)) {
             let expected = "a beam, a rigid body or the ground: shells have no contact";
             return Some(
                 finding(format!("{path}.with.on.body"), "a shell", expected).rests_on(["bodies".into()]),

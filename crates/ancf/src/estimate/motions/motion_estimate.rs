@@ -212,7 +212,7 @@ impl<'a> MotionEstimate<'a> {
 
 /// True if a body has a mesh.
 pub(crate) fn has_mesh(assembly: &Assembly) -> bool {
-    assembly.bodies().any(|(_, body)| body.mesh().is_some() || body.shell().is_some())
+    assembly.bodies().any(|(_, body)| body.mesh().is_some() || body.is_shell())
 }
 
 /// Size of the error of the position of a probe.

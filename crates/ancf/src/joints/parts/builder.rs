@@ -12,7 +12,7 @@ use ancf_mechanics::forces::{CoordinateForce, Friction, Spring, Strut};
 use ancf_mechanics::functions::Function;
 use ancf_mechanics::kinematics::{Attachment, BodyVector, Directions, ElementAxis};
 use ancf_mechanics::laws::{LawUnits, Resistance};
-use ancf_mechanics::shells::ShellMesh;
+use ancf_mechanics::shells::{ShearShellMesh, ShellMesh};
 use nalgebra::Vector3;
 
 use super::actions::JointActions;
@@ -23,7 +23,7 @@ use super::equations::{JointEquations, LinearRows, Part};
 use super::measures;
 use super::recorded_coordinate::{RecordedCoordinate, Source};
 use super::term::JointTerm;
-use crate::model::{JointLaw, LawKind, TimeFunction, TimeMode};
+use crate::model::{JointLaw, LawKind, ShearShell, TimeFunction, TimeMode};
 
 /// Ends of a joint as attachments to bodies.
 pub(crate) struct JointEnds<'a> {
@@ -33,9 +33,11 @@ pub(crate) struct JointEnds<'a> {
     pub(crate) stated: &'a End,
     /// Element axes of the second body and the arc length there, for points that slide along it.
     pub(crate) beam: Option<(Vec<ElementAxis>, f64)>,
-    /// Mesh of the first body, if it is a shell.
+    /// Mesh of the first body, if it is a thin shell.
     pub(crate) shell: Option<&'a ShellMesh>,
-    /// Mesh of the second body, if it is a shell.
+    /// Mesh and data of the first body, if it is a shear-deformable shell.
+    pub(crate) shear_shell: Option<(&'a ShearShellMesh, &'a ShearShell)>,
+    /// Mesh of the second body, if it is a thin shell.
     pub(crate) other_shell: Option<&'a ShellMesh>,
     /// Linear equations of the edges of shells so far.
     pub(crate) edge_rows: &'a RefCell<LinearRows>,
@@ -104,9 +106,14 @@ impl<'a> JointBuilder<'a> {
         self.ends.b
     }
 
-    /// Mesh of the first body, if it is a shell.
+    /// Mesh of the first body, if it is a thin shell.
     pub fn shell(&self) -> Option<&'a ShellMesh> {
         self.ends.shell
+    }
+
+    /// Mesh and data of the first body, if it is a shear-deformable shell.
+    pub(crate) fn shear_shell(&self) -> Option<(&'a ShearShellMesh, &'a ShearShell)> {
+        self.ends.shear_shell
     }
 
     /// Attachment of the second end, if it is a body.
@@ -114,7 +121,7 @@ impl<'a> JointBuilder<'a> {
         matches!(self.ends.stated, End::Place(_)).then_some(self.ends.b)
     }
 
-    /// Mesh of the second body, if it is a shell.
+    /// Mesh of the second body, if it is a thin shell.
     pub(crate) fn other_shell(&self) -> Option<&'a ShellMesh> {
         self.ends.other_shell
     }
@@ -143,7 +150,8 @@ impl<'a> JointBuilder<'a> {
 
     /// Registers an equation of edges with these factors of coordinates. Returns false if those before it imply it.
     fn is_new(&self, factors: impl IntoIterator<Item = (usize, f64)>) -> bool {
-        let preferred = self.shell().map_or(0..0, ShellMesh::range);
+        let of_mesh = self.shear_shell().map_or(0..0, |(mesh, _)| mesh.range());
+        let preferred = self.shell().map_or(of_mesh, ShellMesh::range);
         self.ends.edge_rows.borrow_mut().add(factors, &preferred)
     }
 

@@ -21,7 +21,7 @@ const MIXED: usize = 3;
 /// Adds the equations of a support.
 pub(super) fn add_equations(
     builder: &mut JointBuilder<'_>,
-    at: At,
+    at: &At,
     condition: SupportCondition,
     guides: &[SupportedAxis],
 ) {

@@ -2,6 +2,7 @@
 
 mod condition;
 mod edge_equations;
+mod mesh_equations;
 mod seam;
 mod seam_equations;
 mod support;

@@ -32,23 +32,24 @@ pub struct Seam {
 
 impl Seam {
     /// Edge of an end.
-    fn edges(&self) -> Option<[(&Place, EdgeName); 2]> {
+    fn edges(&self) -> Option<[(&Place, &EdgeName); 2]> {
         let End::Place(b) = &self.b else { return None };
-        let edge = |place: &'_ Place| match place.at {
-            At::Edge(edge) => Some(edge.edge),
-            _ => None,
-        };
         Some([(&self.a, edge(&self.a)?), (b, edge(b)?)])
     }
 }
 
+/// Edge of a place.
+const fn edge(place: &Place) -> Option<&EdgeName> {
+    if let At::Edge(place) = &place.at { Some(&place.edge) } else { None }
+}
+
 /// Number of elements along an edge.
-fn divisions(shell: &Shell, edge: EdgeName) -> u32 {
+fn divisions(shell: &Shell, edge: &EdgeName) -> u32 {
     shell.elements[usize::from(edge.edge().along_v)]
 }
 
 /// Points and tangents of an edge at its nodes, the tangents per element.
-fn nodes(shell: &Shell, edge: EdgeName) -> Vec<[Vector3<f64>; 2]> {
+fn nodes(shell: &Shell, edge: &EdgeName) -> Vec<[Vector3<f64>; 2]> {
     let (count, edge) = (divisions(shell, edge), edge.edge());
     let fixed = if edge.at_end { 1.0 } else { 0.0 };
     let node = |k: u32| {
@@ -61,7 +62,7 @@ fn nodes(shell: &Shell, edge: EdgeName) -> Vec<[Vector3<f64>; 2]> {
 
 /// Largest differences of the nodes of two edges and of their tangents, relative to the length of an element. The second edge has
 /// either direction.
-fn difference([(a, edge), (b, other)]: [(&Shell, EdgeName); 2]) -> f64 {
+fn difference([(a, edge), (b, other)]: [(&Shell, &EdgeName); 2]) -> f64 {
     let [first, second] = [nodes(a, edge), nodes(b, other)];
     let element = first.iter().map(|[_, tangent]| tangent.norm()).fold(0.0, f64::max);
     let far = |[[r, t], [s, w]]: [[Vector3<f64>; 2]; 2]| (r - s).norm().max((t - w).norm());
@@ -115,10 +116,14 @@ impl JointKind for Seam {
             if let Some(body) = context.body(place)
                 && !matches!(body, Body::Shell(_))
             {
-                let found = format!("{}, which is no shell", quoted(body.name()));
-                findings.push(
-                    finding(format!("{path}.{end}.body"), found, "a shell").rests_on(["bodies".into()]),
-                );
+                let is_mesh = matches!(body, Body::ShearShell(_));
+                let [what, expected] = match is_mesh {
+                    true => ["a shear-deformable shell", "a thin shell: parts of one mesh share their nodes"],
+                    false => ["which is no shell", "a shell"],
+                };
+                let found = format!("{}, {what}", quoted(body.name()));
+                findings
+                    .push(finding(format!("{path}.{end}.body"), found, expected).rests_on(["bodies".into()]));
             }
         }
         let [(a, edge), (b, other)] = edges;

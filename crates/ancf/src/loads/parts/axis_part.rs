@@ -11,9 +11,9 @@ pub struct AxisPart<'a> {
     /// Name of the body.
     pub body: &'a str,
     /// Start of the part.
-    pub from: At,
+    pub from: &'a At,
     /// End of the part.
-    pub to: At,
+    pub to: &'a At,
     /// Load per length at the start and at the end.
     pub loads: [[f64; 3]; 2],
 }
@@ -28,7 +28,7 @@ pub(in crate::loads) struct LoadedSpan {
 impl AxisPart<'_> {
     /// True if the part is the whole body.
     pub(in crate::loads) fn is_whole(&self) -> bool {
-        self.from == At::Named(NamedPosition::Start) && self.to == At::Named(NamedPosition::End)
+        *self.from == At::Named(NamedPosition::Start) && *self.to == At::Named(NamedPosition::End)
     }
 
     /// Checks that the part is on a flexible body and has a length.

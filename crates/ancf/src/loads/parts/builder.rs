@@ -4,12 +4,12 @@ use ancf_mechanics::bodies::{BeamMesh, BodyTerms};
 use ancf_mechanics::forces::{ExternalForce, Force};
 use ancf_mechanics::functions::{ForceFunction, Function};
 use ancf_mechanics::kinematics::{Attachment, BodyVector, Marker};
-use ancf_mechanics::shells::ShellMesh;
+use ancf_mechanics::shells::{ShearShellMesh, ShellMesh};
 use ancf_solver::equations::Term;
 use nalgebra::Vector3;
 
 use super::context::LoadContext;
-use crate::model::{Body, Place, TimeFunction, TimeMode};
+use crate::model::{Body, Place, ShearShell, TimeFunction, TimeMode};
 
 /// Builder of the terms of one load.
 ///
@@ -66,7 +66,14 @@ impl<'a> LoadBuilder<'a> {
         Some((body, built.mesh()?))
     }
 
-    /// Mesh of a shell of a name.
+    /// Mesh and data of a shear-deformable shell of a name.
+    pub(in crate::loads) fn shear_shell(&self, name: &str) -> Option<(&'a ShearShellMesh, &'a ShearShell)> {
+        let (_, body) = self.context.body(name)?;
+        let (_, built) = self.bodies.iter().find(|(own, _)| own == name)?;
+        built.shear_shell().zip(body.shear_shell())
+    }
+
+    /// Mesh of a thin shell of a name.
     pub fn shell(&self, name: &str) -> Option<&'a ShellMesh> {
         self.bodies.iter().find(|(own, _)| own == name)?.1.shell()
     }

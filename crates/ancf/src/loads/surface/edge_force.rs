@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::errors::Finding;
 use crate::loads::parts::{LoadBuilder, LoadContext, LoadKind};
-use crate::model::{EdgeName, TimeFunction, shell_body};
+use crate::model::{EdgeName, TimeFunction, edge_of_shell, shell_body};
 use crate::units::Scaled;
 
 /// Force per length of an edge of a shell, of constant direction.
@@ -29,8 +29,18 @@ impl LoadKind for EdgeForce {
     }
 
     fn build(&self, builder: &mut LoadBuilder<'_>) {
-        let Some(mesh) = builder.shell(&self.body) else { return };
         let function = builder.function(&self.time);
+        if let Some((mesh, shell)) = builder.shear_shell(&self.body) {
+            for points in
+                shell.edge_segments(&self.edge).into_iter().filter_map(|edge| mesh.edge_points(edge))
+            {
+                let parts = points.map(|(at, length)| (length, mesh.point(at)));
+                let marker = Marker::combined(parts.iter().map(|(length, point)| (*length, point)));
+                builder.force(marker, self.force, function.clone());
+            }
+            return;
+        }
+        let Some(mesh) = builder.shell(&self.body) else { return };
         for points in mesh.edge_points(self.edge.edge()) {
             let parts = points.map(|(at, length)| (length, mesh.point(at)));
             let marker = Marker::combined(parts.iter().map(|(length, point)| (*length, point)));
@@ -51,6 +61,7 @@ impl LoadKind for EdgeForce {
     }
 
     fn check(&self, path: &str, context: &dyn LoadContext) -> Vec<Finding> {
-        shell_body(path, context.body(&self.body)).into_iter().collect()
+        let edge = edge_of_shell(format!("{path}.edge"), &self.edge, context.body(&self.body));
+        shell_body(path, context.body(&self.body)).or(edge).into_iter().collect()
     }
 }

@@ -1,11 +1,12 @@
 use ancf_mechanics::forces::Moment;
+use ancf_mechanics::kinematics::SectionFrame;
 use nalgebra::Vector3;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::errors::Finding;
 use crate::loads::parts::{LoadBuilder, LoadContext, LoadKind};
-use crate::model::{EdgeName, TimeFunction, shell_body};
+use crate::model::{EdgeName, TimeFunction, edge_of_shell, shell_body};
 use crate::units::Scaled;
 
 /// Moment per length of an edge of a shell, work-conjugate to the rotation of the surface.
@@ -33,10 +34,21 @@ impl LoadKind for EdgeMoment {
     }
 
     fn build(&self, builder: &mut LoadBuilder<'_>) {
-        let Some(mesh) = builder.shell(&self.body) else { return };
         let function = builder.function(&self.time);
-        for (at, length) in mesh.edge_points(self.edge.edge()).into_iter().flatten() {
-            let (frame, moment) = (mesh.frame(at), Vector3::from(self.moment) * length);
+        let frames: Vec<(SectionFrame, f64)> = match builder.shear_shell(&self.body) {
+            Some((mesh, shell)) => {
+                let edges = shell.edge_segments(&self.edge).into_iter();
+                let points = edges.filter_map(|edge| mesh.edge_points(edge)).flatten();
+                points.map(|(at, length)| (mesh.frame(at), length)).collect()
+            }
+            None => {
+                let Some(mesh) = builder.shell(&self.body) else { return };
+                let points = mesh.edge_points(self.edge.edge()).into_iter().flatten();
+                points.map(|(at, length)| (mesh.frame(at), length)).collect()
+            }
+        };
+        for (frame, length) in frames {
+            let moment = Vector3::from(self.moment) * length;
             builder.add(match self.follower {
                 false => Moment::new(&frame, moment, function.clone()),
                 true => Moment::follower(&frame, moment, function.clone()),
@@ -61,6 +73,7 @@ impl LoadKind for EdgeMoment {
     }
 
     fn check(&self, path: &str, context: &dyn LoadContext) -> Vec<Finding> {
-        shell_body(path, context.body(&self.body)).into_iter().collect()
+        let edge = edge_of_shell(format!("{path}.edge"), &self.edge, context.body(&self.body));
+        shell_body(path, context.body(&self.body)).or(edge).into_iter().collect()
     }
 }

@@ -1,10 +1,10 @@
-use ancf_mechanics::shells::SurfacePressure as ElementPressure;
+use ancf_mechanics::shells::{QuadPressure, SurfacePressure as ElementPressure};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::errors::Finding;
 use crate::loads::parts::{LoadBuilder, LoadContext, LoadKind};
-use crate::model::{TimeFunction, shell_body};
+use crate::model::{TimeFunction, region_of_shell, shell_body};
 use crate::units::Scaled;
 
 /// Pressure on a shell, a load that follows its normal and its area.
@@ -13,10 +13,13 @@ use crate::units::Scaled;
 pub struct SurfacePressure {
     /// Name of the shell.
     pub body: String,
-    /// Force per deformed area along the normal, which is that of u and v by the right-hand rule; force/length². Negative values act
+    /// Force per deformed area along the normal, which is that of u and v, or of the order of the nodes of elements, by the right-hand rule; force/length². Negative values act
     /// against the normal.
     #[unit(force / length^2)]
     pub pressure: f64,
+    /// Name of a group of elements of a shear-deformable shell on which the load acts; the whole shell by default.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub region: Option<String>,
     /// Function of time that multiplies the load. Statics ignores it.
     #[serde(default)]
     pub time: TimeFunction,
@@ -28,8 +31,14 @@ impl LoadKind for SurfacePressure {
     }
 
     fn build(&self, builder: &mut LoadBuilder<'_>) {
-        let Some(mesh) = builder.shell(&self.body) else { return };
         let function = builder.function(&self.time);
+        if let Some((mesh, shell)) = builder.shear_shell(&self.body) {
+            for element in shell.region(self.region.as_deref()).unwrap_or_default() {
+                builder.add(QuadPressure::on(mesh, element, self.pressure, &function));
+            }
+            return;
+        }
+        let Some(mesh) = builder.shell(&self.body) else { return };
         for load in ElementPressure::on(mesh, self.pressure, &function) {
             builder.add(load);
         }
@@ -52,6 +61,7 @@ impl LoadKind for SurfacePressure {
     }
 
     fn check(&self, path: &str, context: &dyn LoadContext) -> Vec<Finding> {
-        shell_body(path, context.body(&self.body)).into_iter().collect()
+        let region = region_of_shell(path, self.region.as_deref(), context.body(&self.body));
+        shell_body(path, context.body(&self.body)).or(region).into_iter().collect()
     }
 }

@@ -1,14 +1,14 @@
 use ancf_mechanics::kinematics::ReferenceCurve;
-use ancf_mechanics::shells::ShellMesh;
+use ancf_mechanics::shells::ShellPlace;
 use nalgebra::Vector3;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::formulation::Formulation;
-use super::motion::InitialMotion;
+use super::parts::{At, InitialMotion, NamedPosition};
 use super::rigid::{PointMass, Rigid};
 use super::shape::Shape;
-use super::shell::{EdgeName, Shell};
+use super::shells::{Layup, ShearShell, Shell};
 use super::surface::BodySurface;
 use crate::units::Scaled;
 
@@ -25,6 +25,8 @@ pub enum Body {
     Cable(Cable),
     /// Thin shell or plate.
     Shell(Shell),
+    /// Shear-deformable shell or plate on a mesh of quadrilaterals.
+    ShearShell(ShearShell),
     /// Rigid body.
     Rigid(Rigid),
     /// Point mass.
@@ -38,6 +40,7 @@ impl Body {
             Self::Beam(beam) => &beam.name,
             Self::Cable(cable) => &cable.name,
             Self::Shell(shell) => &shell.name,
+            Self::ShearShell(shell) => &shell.name,
             Self::Rigid(rigid) => &rigid.name,
             Self::Mass(mass) => &mass.name,
         }
@@ -48,7 +51,7 @@ impl Body {
         match self {
             Self::Beam(beam) => Some((&beam.section, &beam.material)),
             Self::Cable(cable) => Some((&cable.section, &cable.material)),
-            Self::Shell(_) | Self::Rigid(_) | Self::Mass(_) => None,
+            Self::Shell(_) | Self::ShearShell(_) | Self::Rigid(_) | Self::Mass(_) => None,
         }
     }
 
@@ -62,7 +65,7 @@ impl Body {
         match self {
             Self::Rigid(rigid) => rigid.surface.as_ref(),
             Self::Mass(mass) => mass.surface.as_ref(),
-            Self::Beam(_) | Self::Cable(_) | Self::Shell(_) => None,
+            Self::Beam(_) | Self::Cable(_) | Self::Shell(_) | Self::ShearShell(_) => None,
         }
     }
 
@@ -72,6 +75,7 @@ impl Body {
             Self::Beam(beam) => &beam.motion,
             Self::Cable(cable) => &cable.motion,
             Self::Shell(shell) => &shell.motion,
+            Self::ShearShell(shell) => &shell.motion,
             Self::Rigid(rigid) => &rigid.motion,
             Self::Mass(mass) => &mass.motion,
         }
@@ -83,6 +87,7 @@ impl Body {
             Self::Beam(beam) => beam.elements,
             Self::Cable(cable) => cable.elements,
             Self::Shell(shell) => shell.elements[0].saturating_mul(shell.elements[1]),
+            Self::ShearShell(shell) => shell.mesh.elements.len() as u32,
             Self::Rigid(_) | Self::Mass(_) => 0,
         }
     }
@@ -92,7 +97,7 @@ impl Body {
         match self {
             Self::Beam(beam) => beam.elements = count,
             Self::Cable(cable) => cable.elements = count,
-            Self::Shell(_) | Self::Rigid(_) | Self::Mass(_) => {}
+            Self::Shell(_) | Self::ShearShell(_) | Self::Rigid(_) | Self::Mass(_) => {}
         }
     }
 
@@ -110,6 +115,7 @@ impl Body {
             Self::Beam(beam) => [beam.from, beam.to],
             Self::Cable(cable) => [cable.from, cable.to],
             Self::Shell(shell) => shell.corners(),
+            Self::ShearShell(shell) => shell.corners(),
             Self::Rigid(Rigid { center, .. }) | Self::Mass(PointMass { center, .. }) => [*center; 2],
         }
     }
@@ -122,31 +128,35 @@ impl Body {
         match self {
             Self::Beam(beam) => beam.shape.curve(from, to),
             Self::Cable(_) => Shape::Straight.curve(from, to),
-            Self::Shell(_) | Self::Rigid(_) | Self::Mass(_) => None,
+            Self::Shell(_) | Self::ShearShell(_) | Self::Rigid(_) | Self::Mass(_) => None,
         }
     }
 
     /// Length of the axis, or diagonal of the box around a shell; 0 for rigid bodies and point masses.
     pub fn length(&self) -> f64 {
-        if let Self::Shell(shell) = self {
-            return shell.extent();
+        match self {
+            Self::Shell(shell) => return shell.extent(),
+            Self::ShearShell(shell) => return shell.extent(),
+            _ => {}
         }
         self.curve().map_or(0.0, |curve| curve.length())
     }
 
     /// Arc length of a position on the axis.
-    pub fn arc_length(&self, at: At) -> f64 {
+    pub fn arc_length(&self, at: &At) -> f64 {
+        if self.is_shell() {
+            return 0.0;
+        }
         match at {
-            _ if matches!(self, Self::Shell(_)) => 0.0,
-            At::Named(NamedPosition::Start) | At::Point(_) | At::Surface(_) | At::Edge(_) => 0.0,
             At::Named(NamedPosition::Center) => 0.5 * self.length(),
             At::Named(NamedPosition::End) => self.length(),
-            At::Length(s) => s,
+            At::Length(s) => *s,
+            _ => 0.0,
         }
     }
 
     /// Point of a position in the reference state; `None` if the body has no such position.
-    pub fn point(&self, at: At) -> Option<Vector3<f64>> {
+    pub fn point(&self, at: &At) -> Option<Vector3<f64>> {
         let from = Vector3::from(self.span()[0]);
         match (self, at) {
             (Self::Beam(_) | Self::Cable(_), At::Named(_) | At::Length(_)) => {
@@ -154,15 +164,48 @@ impl Body {
                 (s <= curve.length() * (1.0 + ON_AXIS)).then(|| from + curve.at(s).0)
             }
             (Self::Shell(shell), at) => Some(shell.point(at.on_surface()?)),
-            (Self::Rigid(_), At::Point(point)) => Some(Vector3::from(point)),
+            (Self::ShearShell(shell), at) => Some(shell.point_at(shell.place(at)?)),
+            (Self::Rigid(_), At::Point(point)) => Some(Vector3::from(*point)),
             (Self::Rigid(_) | Self::Mass(_), At::Named(NamedPosition::Center)) => Some(from),
             _ => None,
         }
     }
 
-    /// Parameters (u, v) of a position on a shell; `None` for other bodies and positions.
-    pub fn shell_place(&self, at: At) -> Option<[f64; 2]> {
-        if matches!(self, Self::Shell(_)) { at.on_surface() } else { None }
+    /// Place of a position on a shell; `None` for other bodies and positions.
+    pub fn shell_place(&self, at: &At) -> Option<ShellPlace> {
+        match self {
+            Self::Shell(_) => at.on_surface().map(ShellPlace::Patch),
+            Self::ShearShell(shell) => shell.place(at).map(ShellPlace::Element),
+            _ => None,
+        }
+    }
+
+    /// Thickness, material and layers of a shell of either kind.
+    pub fn layup(&self) -> Option<Layup<'_>> {
+        match self {
+            Self::Shell(shell) => Some(shell.layup()),
+            Self::ShearShell(shell) => Some(shell.layup()),
+            _ => None,
+        }
+    }
+
+    /// Area of the middle surface of a shell; 0 for other bodies.
+    pub fn area(&self) -> f64 {
+        match self {
+            Self::Shell(shell) => shell.area(),
+            Self::ShearShell(shell) => shell.area(),
+            _ => 0.0,
+        }
+    }
+
+    /// Data of a shear-deformable shell.
+    pub(crate) const fn shear_shell(&self) -> Option<&ShearShell> {
+        if let Self::ShearShell(shell) = self { Some(shell) } else { None }
+    }
+
+    /// True for shells of either kind.
+    pub const fn is_shell(&self) -> bool {
+        matches!(self, Self::Shell(_) | Self::ShearShell(_))
     }
 
     /// Slope length ℓ, the factor of the nodal gradients.
@@ -170,7 +213,7 @@ impl Body {
         let slopes = match self {
             Self::Beam(beam) => beam.slopes,
             Self::Cable(cable) => cable.slopes,
-            Self::Shell(_) | Self::Rigid(_) | Self::Mass(_) => Slopes::Gradient,
+            Self::Shell(_) | Self::ShearShell(_) | Self::Rigid(_) | Self::Mass(_) => Slopes::Gradient,
         };
         match slopes {
             Slopes::Gradient => 1.0,
@@ -309,88 +352,4 @@ pub enum Slopes {
     Gradient,
     /// Gradients times the element length, ℓ = l (Kim et al. 2017, eq. 10).
     Length,
-}
-
-/// Point of a body.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
-#[serde(deny_unknown_fields)]
-pub struct Place {
-    /// Name of the body.
-    pub body: String,
-    /// Position on the axis, or on a rigid body.
-    pub at: At,
-    /// Rigid arm from this position, fixed to the section, in the global frame at the start, length; none by default.
-    #[serde(default, skip_serializing_if = "is_zero")]
-    #[unit(length)]
-    pub offset: [f64; 3],
-}
-
-fn is_zero(offset: &[f64; 3]) -> bool {
-    *offset == [0.0; 3]
-}
-
-impl Place {
-    /// Place without an arm.
-    pub fn new(body: &str, at: At) -> Self {
-        Self { body: body.into(), at, offset: [0.0; 3] }
-    }
-}
-
-/// Position on a body.
-///
-/// On a beam or a cable: `"start"`, `"center"`, `"end"` or the arc length from the start. On a rigid body: `"center"` or a
-/// point. On a shell: `[u, v]`, or an edge as the end `a` of a support.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
-#[serde(untagged)]
-pub enum At {
-    /// Named position.
-    Named(NamedPosition),
-    /// Arc length from the start in the undeformed state, length.
-    Length(
-        #[unit(length)]
-        #[schemars(extend("minimum" = 0))]
-        f64,
-    ),
-    /// Point of a rigid body in the global frame at the start, length.
-    Point(#[unit(length)] [f64; 3]),
-    /// Parameters u and v of a point of a shell, from 0 to 1.
-    Surface(
-        #[unit(none)]
-        #[schemars(inner(range(min = 0, max = 1)))]
-        [f64; 2],
-    ),
-    /// Edge of a shell.
-    Edge(EdgePlace),
-}
-
-/// Edge of a shell as a place.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
-#[serde(deny_unknown_fields)]
-pub struct EdgePlace {
-    /// Name of the edge.
-    pub edge: EdgeName,
-}
-
-impl At {
-    /// Parameters (u, v) on a shell: of a point, of the middle, or of the middle of an edge.
-    pub(crate) fn on_surface(self) -> Option<[f64; 2]> {
-        match self {
-            Self::Named(NamedPosition::Center) => Some([0.5, 0.5]),
-            Self::Surface(at) => Some(at),
-            Self::Edge(EdgePlace { edge }) => Some(ShellMesh::edge_middle(edge.edge())),
-            Self::Named(_) | Self::Length(_) | Self::Point(_) => None,
-        }
-    }
-}
-
-/// Named positions.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema, Scaled)]
-#[serde(rename_all = "snake_case")]
-pub enum NamedPosition {
-    /// Start of the axis.
-    Start,
-    /// Middle of the axis, or centre of mass of a rigid body.
-    Center,
-    /// End of the axis.
-    End,
 }

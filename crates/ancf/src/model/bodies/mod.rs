@@ -1,26 +1,24 @@
-//! Bodies of a model: beams, cables, rigid bodies, their shape and initial motion.
+//! Bodies of a model: beams, cables, shells, rigid bodies, their shape and initial motion.
 
 mod body;
 mod capability;
 mod display;
 mod formulation;
-mod layer;
-mod motion;
+mod parts;
 mod rigid;
 mod shape;
-mod shell;
 mod shell_body;
+mod shells;
 mod surface;
 
 pub(crate) use body::ON_AXIS;
-pub use body::{At, Beam, Body, Cable, EdgePlace, NamedPosition, Place, Slopes};
+pub use body::{Beam, Body, Cable, Slopes};
 pub use capability::Capability;
 pub use display::DisplayShape;
 pub use formulation::Formulation;
-pub use layer::Layer;
-pub use motion::InitialMotion;
+pub use parts::{At, EdgeName, EdgePlace, InitialMotion, NamedPosition, NodePlace, Place, PointPlace};
 pub use rigid::{PointMass, Rigid};
 pub use shape::Shape;
-pub use shell::{EdgeName, Shell, ShellSurface};
-pub(crate) use shell_body::shell_body;
+pub(crate) use shell_body::{edge_of_shell, named, region_of_shell, shell_body};
+pub use shells::{Layer, Layup, MeshGroup, QuadMesh, ShearShell, Shell, ShellSurface};
 pub use surface::BodySurface;

@@ -3,7 +3,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::display::DisplayShape;
-use super::motion::InitialMotion;
+use super::parts::InitialMotion;
 use super::surface::BodySurface;
 use crate::units::Scaled;
 

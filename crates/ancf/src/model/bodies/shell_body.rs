@@ -1,10 +1,56 @@
 use super::body::Body;
-use crate::errors::{Finding, finding, quoted};
+use super::parts::EdgeName;
+use crate::errors::{Finding, finding, listed, quoted};
 
 /// Finding for a load of a shell on a body that is no shell. `body` is the body with its path.
 pub(crate) fn shell_body(path: &str, body: Option<(String, &Body)>) -> Option<Finding> {
     let (owner, body) = body?;
     let found = format!("{}, which is no shell", quoted(body.name()));
-    let is_shell = matches!(body, Body::Shell(_));
-    (!is_shell).then(|| finding(format!("{path}.body"), found, "a shell").rests_on([owner]))
+    (!body.is_shell()).then(|| finding(format!("{path}.body"), found, "a shell").rests_on([owner]))
+}
+
+/// Finding for an edge that a shell does not have. `key` is the path of the edge.
+pub(crate) fn edge_of_shell(key: String, edge: &EdgeName, body: Option<(String, &Body)>) -> Option<Finding> {
+    let (owner, body) = body?;
+    let found = quoted(edge.name());
+    let error = match (body, edge) {
+        (Body::Shell(_), EdgeName::Named(_)) => {
+            finding(key, found, "\"u_start\", \"u_end\", \"v_start\" or \"v_end\": an edge of a thin shell")
+        }
+        (Body::ShearShell(shell), _) if shell.edge(edge).is_none() => {
+            let names = shell.mesh.groups.iter().filter(|(_, group)| !group.edges.is_empty());
+            let expected = named("edges", names.map(|(name, _)| name.as_str()));
+            finding(key, found, expected)
+        }
+        _ => return None,
+    };
+    Some(error.rests_on([owner]))
+}
+
+/// Finding for a region that a shell does not have.
+pub(crate) fn region_of_shell(
+    path: &str,
+    region: Option<&str>,
+    body: Option<(String, &Body)>,
+) -> Option<Finding> {
+    let ((owner, body), name) = (body?, region?);
+    let (key, found) = (format!("{path}.region"), quoted(name));
+    let Body::ShearShell(shell) = body else {
+        let expected = "no key `region`: only shear-deformable shells have regions";
+        return Some(finding(key, found, expected).rests_on([owner]));
+    };
+    if shell.region(region).is_some() {
+        return None;
+    }
+    let names = shell.mesh.groups.iter().filter(|(_, group)| !group.elements.is_empty());
+    Some(finding(key, found, named("elements", names.map(|(name, _)| name.as_str()))).rests_on([owner]))
+}
+
+/// Expected name of a group of a mesh.
+pub(crate) fn named<'a>(what: &str, names: impl Iterator<Item = &'a str>) -> String {
+    let names: Vec<_> = names.map(quoted).collect();
+    match names.is_empty() {
+        true => format!("the name of a group with {what}, but the mesh has none"),
+        false => format!("the name of a group with {what}: {}", listed(names, "or")),
+    }
 }

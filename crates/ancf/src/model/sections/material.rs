@@ -44,10 +44,15 @@ pub struct Orthotropic {
     #[unit(force / length^2)]
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub young: f64,
-    /// Shear modulus G_LT, force/area.
+    /// Shear modulus G_LT, force/area. It is also the transverse shear modulus G_LZ.
     #[unit(force / length^2)]
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub shear: f64,
+    /// Transverse shear modulus G_TZ, force/area, normal to the fibres; required by shear-deformable shells.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[unit(force / length^2)]
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub transverse_shear: Option<f64>,
 }
 
 /// Constitutive law of a material, by its strain energy density.
@@ -85,9 +90,12 @@ impl Material {
     /// Elastic constants of a ply.
     pub(crate) fn ply(&self) -> PlyElasticity {
         match self.orthotropic {
-            Some(Orthotropic { young, shear }) => {
-                PlyElasticity { young: [self.young, young], poisson: self.poisson, shear }
-            }
+            Some(Orthotropic { young, shear, transverse_shear }) => PlyElasticity {
+                young: [self.young, young],
+                poisson: self.poisson,
+                shear,
+                transverse_shear: [shear, transverse_shear.unwrap_or(shear)],
+            },
             None => PlyElasticity::isotropic(self.young, self.poisson),
         }
     }

@@ -47,11 +47,12 @@ fn is_small(model: &Model) -> bool {
     elements <= 30 && lists.iter().all(|length| *length <= 10) && !needs_supplies(model)
 }
 
-const fn elements(body: &Body) -> u32 {
+fn elements(body: &Body) -> u32 {
     match body {
         Body::Beam(beam) => beam.elements,
         Body::Cable(cable) => cable.elements,
         Body::Shell(shell) => shell.elements[0].saturating_mul(shell.elements[1]),
+        Body::ShearShell(shell) => shell.mesh.elements.len() as u32,
         Body::Rigid(_) | Body::Mass(_) => 1,
     }
 }

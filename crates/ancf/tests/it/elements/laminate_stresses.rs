@@ -13,8 +13,9 @@ const THICKNESSES: [f64; 3] = [0.01, 0.025, 0.015];
 
 /// Laminate without symmetry: plies of different materials, thicknesses and angles.
 fn unlike(angles: [f64; 3]) -> Laminate {
-    let carbon = PlyElasticity { young: [25.0, 1.0], poisson: 0.25, shear: 0.5 };
-    let glass = PlyElasticity { young: [5.0, 2.0], poisson: 0.3, shear: 0.8 };
+    let carbon =
+        PlyElasticity { young: [25.0, 1.0], poisson: 0.25, shear: 0.5, transverse_shear: [0.5, 0.2] };
+    let glass = PlyElasticity { young: [5.0, 2.0], poisson: 0.3, shear: 0.8, transverse_shear: [0.8; 2] };
     let of = |(k, elasticity): (usize, PlyElasticity)| Ply {
         elasticity,
         density: 1.0,

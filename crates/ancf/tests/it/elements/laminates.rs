@@ -12,7 +12,8 @@ use crate::common::assertions::assert_near;
 
 /// Plies of E_L = 25, E_T = 1, G_LT = 0.5, ν_LT = 0.25 and unit thickness in total.
 pub(super) fn laminate(angles: &[f64]) -> Laminate {
-    let elasticity = PlyElasticity { young: [25.0, 1.0], poisson: 0.25, shear: 0.5 };
+    let elasticity =
+        PlyElasticity { young: [25.0, 1.0], poisson: 0.25, shear: 0.5, transverse_shear: [0.5, 0.2] };
     let thickness = 1.0 / angles.len() as f64;
     let ply = |&angle: &f64| Ply { elasticity, density: 1.0, thickness, angle };
     Laminate::new(angles.iter().map(ply).collect())

@@ -10,6 +10,7 @@ mod large_rotations;
 mod properties;
 mod seam_motions;
 mod seams;
+mod shear_shells;
 mod shell_stresses;
 mod shells;
 mod shells_on_bodies;

@@ -5,6 +5,7 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+use ancf::mechanics::shells::ShellPlace;
 use ancf::model::ScaleChoice;
 use ancf::record::Series;
 use ancf::solver::equations::State;
@@ -223,7 +224,8 @@ fn fields_have_the_values_of_probes() {
     let row = recorder.states.len() - 1;
     let fields = Fields::new(simulation.assembly(), simulation.scales(), 2);
     assert_eq!(fields.stations().len(), 7 * 5 + 1);
-    let station = fields.stations().iter().position(|s| s.surface == Some([0.5, 0.75])).unwrap();
+    let station =
+        fields.stations().iter().position(|s| s.surface == Some(ShellPlace::Patch([0.5, 0.75]))).unwrap();
     assert_eq!(station, 3 * 7 + 3);
     for (field, column) in [
         (Field::Position, "p.x"),

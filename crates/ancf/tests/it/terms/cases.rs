@@ -18,6 +18,7 @@ use super::frames::frame_terms;
 use super::immersed::{immersed_terms, meshes};
 use super::joint_terms::joint_terms;
 use super::kind::TermKind;
+use super::shear_shells::shear_shell_terms;
 use super::shells::shell_terms;
 use crate::common::models::beams::{BeamCase, beam_cases};
 use crate::common::models::cables;
@@ -171,6 +172,7 @@ pub(super) fn terms() -> Vec<TermCase> {
     free.chain(contact_terms())
         .chain([external()])
         .chain(shell_terms())
+        .chain(shear_shell_terms())
         .chain(rotating_frames())
         .chain(prestrains())
         .collect()

@@ -9,6 +9,7 @@ mod joint_terms;
 mod kind;
 mod laws;
 mod magnet;
+mod shear_shells;
 mod shells;
 mod steps;
 mod stress_prediction;

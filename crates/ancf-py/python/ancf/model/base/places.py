@@ -10,7 +10,17 @@ from typing import Literal, TypeAlias
 from ancf.model.base.arguments import checked_arguments
 from ancf.model.base.part import Numbers, Part, Vector
 
-__all__ = ["EdgeName", "EdgePlace", "Ground", "JointEnd", "NamedPosition", "Place", "Position"]
+__all__ = [
+    "EdgeName",
+    "EdgePlace",
+    "Ground",
+    "JointEnd",
+    "NamedPosition",
+    "NodePlace",
+    "Place",
+    "PointPlace",
+    "Position",
+]
 
 NamedPosition: TypeAlias = Literal["start", "center", "end"]
 """Named positions.
@@ -20,8 +30,10 @@ NamedPosition: TypeAlias = Literal["start", "center", "end"]
 * ``"end"``: End of the axis.
 """
 
-EdgeName: TypeAlias = Literal["u_start", "u_end", "v_start", "v_end"]
-"""Named edge of a shell.
+EdgeName: TypeAlias = Literal["u_start", "u_end", "v_start", "v_end"] | str
+"""Edge of a shell.
+
+One of four of a thin shell, or the name of an edge in the mesh of a shear-deformable shell.
 
 * ``"u_start"``: Edge u = 0.
 * ``"u_end"``: Edge u = 1.
@@ -38,7 +50,7 @@ class EdgePlace(Part):
     Attributes
     ----------
     edge
-        Name of the edge. One of ``"u_start"``, ``"u_end"``, ``"v_start"``, ``"v_end"``.
+        Name of the edge.
 
     """
 
@@ -47,11 +59,47 @@ class EdgePlace(Part):
     edge: EdgeName
 
 
-Position: TypeAlias = NamedPosition | float | Vector | Numbers | EdgePlace
+@checked_arguments
+@dataclass(kw_only=True, slots=True, eq=False, repr=False)
+class NodePlace(Part):
+    """Node of a mesh as a place.
+
+    Attributes
+    ----------
+    node
+        Number of the node, from 0 (>= 0).
+
+    """
+
+    _form = "NodePlace"
+
+    node: int
+
+
+@checked_arguments
+@dataclass(kw_only=True, slots=True, eq=False, repr=False)
+class PointPlace(Part):
+    """Named point of a mesh as a place.
+
+    Attributes
+    ----------
+    point
+        Name of a group of one node.
+
+    """
+
+    _form = "PointPlace"
+
+    point: str
+
+
+Position: TypeAlias = NamedPosition | float | Vector | Numbers | EdgePlace | NodePlace | PointPlace
 """Position on a body.
 
 On a beam or a cable: ``"start"``, ``"center"``, ``"end"`` or the arc length from the start. On a rigid body:
-``"center"`` or a point. On a shell: ``[u, v]``, or an edge as the end ``a`` of a support.
+``"center"`` or a point. On a thin shell: ``[u, v]``, or an edge as the end ``a`` of a support. On a
+shear-deformable shell: a point of its middle surface, a node, a named point, or an edge as the end ``a`` of a
+support.
 """
 
 

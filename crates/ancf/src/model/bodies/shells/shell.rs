@@ -1,10 +1,10 @@
-use ancf_mechanics::shells::ShellEdge;
 use nalgebra::{Rotation3, Unit, Vector3};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::layer::Layer;
-use super::motion::InitialMotion;
+use super::layup::Layup;
+use crate::model::bodies::parts::{EdgeName, InitialMotion};
 use crate::units::Scaled;
 
 /// Thin shell or plate of bicubic Hermite elements on a patch 0 ≤ u, v ≤ 1, by the Kirchhoff-Love theory.
@@ -115,40 +115,15 @@ pub enum ShellSurface {
     },
 }
 
-/// Named edge of a shell.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema, Scaled)]
-#[serde(rename_all = "snake_case")]
-pub enum EdgeName {
-    /// Edge u = 0.
-    UStart,
-    /// Edge u = 1.
-    UEnd,
-    /// Edge v = 0.
-    VStart,
-    /// Edge v = 1.
-    VEnd,
-}
-
-impl EdgeName {
-    /// Edge of the mesh.
-    pub(crate) const fn edge(self) -> ShellEdge {
-        ShellEdge {
-            along_v: matches!(self, Self::UStart | Self::UEnd),
-            at_end: matches!(self, Self::UEnd | Self::VEnd),
-        }
-    }
-}
-
 impl Shell {
+    /// Thickness, material and layers.
+    pub fn layup(&self) -> Layup<'_> {
+        Layup { thickness: self.thickness, material: &self.material, layers: &self.layers }
+    }
+
     /// Layers with their thicknesses, from the lower to the upper side.
-    pub(crate) fn layers<'a>(&'a self) -> Vec<(&'a str, f64, f64)> {
-        let count = self.layers.len() as f64;
-        let of = |layer: &Layer| layer.thickness.unwrap_or(self.thickness / count);
-        if self.layers.is_empty() {
-            return vec![(&self.material, self.thickness, 0.0)];
-        }
-        let material = |layer: &'a Layer| layer.material.as_deref().unwrap_or(&self.material);
-        self.layers.iter().map(|layer| (material(layer), of(layer), layer.angle)).collect()
+    pub(crate) fn layers(&self) -> Vec<(&str, f64, f64)> {
+        self.layup().plies()
     }
 
     /// Point of the surface that positions are relative to: r(0, 0).
@@ -226,7 +201,7 @@ impl Shell {
     }
 
     /// True if the lines across an edge meet it at right angles to one plane, in which the edge lies.
-    pub(crate) fn is_plane_edge(&self, edge: EdgeName) -> bool {
+    pub(crate) fn is_plane_edge(&self, edge: &EdgeName) -> bool {
         const PARTS: usize = 8;
         let edge = edge.edge();
         let fixed = if edge.at_end { 1.0 } else { 0.0 };

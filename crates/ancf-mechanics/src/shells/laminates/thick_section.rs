@@ -1,0 +1,23 @@
+use nalgebra::Matrix2;
+
+use super::section::ShellSection;
+
+/// Shear correction factor κ of transverse shear forces.
+///
+/// Source: Reissner (1945), homogeneous sections.
+pub(crate) const SHEAR_CORRECTION: f64 = 5.0 / 6.0;
+
+/// Stiffness and mass per area of a shear-deformable shell.
+///
+/// Units: S force/length, stiffness of the thickness force/length.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ThickSection {
+    /// Stiffness of membrane strains and curvatures in plane stress.
+    pub surface: ShellSection,
+    /// Stiffness S of the transverse shear strains: q = S γ in the axes of the section, with the shear correction.
+    pub shear: Matrix2<f64>,
+    /// Stiffness of the thickness strain ½ (d·d − 1).
+    pub thickness: f64,
+    /// Moments ∫ ρ dz, ∫ ρ z dz and ∫ ρ z² dz of the mass about the middle surface.
+    pub inertia: [f64; 3],
+}

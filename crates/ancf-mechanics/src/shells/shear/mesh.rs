@@ -1,0 +1,291 @@
+use std::ops::Range;
+use std::sync::Arc;
+
+use ancf_solver::equations::{State, Term};
+use nalgebra::{Matrix2, Vector3};
+
+use super::element::Shell24;
+use super::forms::{CORNERS, NODES, QUAD_VECTORS, bilinear};
+use super::profile::ShearMedium;
+use super::topology::QuadTopology;
+use crate::inertia::MassVisitor;
+use crate::kinematics::{
+    Attachment, Directions, Marker, NodalVector, SectionFrame, VectorKind, gauss2, round_to_zero,
+};
+
+/// Place on a mesh of quadrilaterals: an element and (ξ, η) in it, from 0 to 1.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SurfacePlace {
+    /// Element, from 0.
+    pub element: usize,
+    /// Coordinates ξ and η.
+    pub at: [f64; 2],
+}
+
+/// Mesh of shear-deformable shell elements with any connectivity of quadrilaterals.
+///
+/// Each node has the position r and the director d, a unit vector in the reference state.
+#[derive(Clone, Debug)]
+pub struct ShearShellMesh {
+    first: usize,
+    origin: Vector3<f64>,
+    /// Positions relative to the origin and directors of the nodes.
+    reference: Vec<[Vector3<f64>; 2]>,
+    quads: Arc<Vec<[usize; NODES]>>,
+    topology: Arc<QuadTopology>,
+    neighbours: Arc<Vec<Vec<usize>>>,
+    elements: Arc<Vec<Shell24>>,
+    axis: Vector3<f64>,
+}
+
+impl ShearShellMesh {
+    /// Creates a mesh. Positions of nodes are global, directors are unit vectors, and elements list their nodes counter-clockwise,
+    /// seen from the side to which the directors point.
+    pub fn new(
+        first: usize,
+        nodes: &[Vector3<f64>],
+        directors: &[Vector3<f64>],
+        quads: Vec<[usize; NODES]>,
+        medium: &ShearMedium,
+    ) -> Self {
+        let origin = nodes.first().copied().unwrap_or_default();
+        let reference: Vec<_> = nodes.iter().zip(directors).map(|(r, d)| [r - origin, *d]).collect();
+        let data = quads.iter().map(|quad| {
+            let coordinates = (0..QUAD_VECTORS)
+                .flat_map(|a| (0..3).map(move |i| first + 6 * quad[a / 2] + 3 * (a % 2) + i))
+                .collect();
+            let corner = reference[quad[0]][0];
+            let vector = |a: usize| {
+                let value = reference[quad[a / 2]][a % 2];
+                if a.is_multiple_of(2) { value - corner } else { value }
+            };
+            (coordinates, std::array::from_fn(vector))
+        });
+        let elements = Arc::new(Shell24::all(data, medium));
+        let topology = QuadTopology::new(nodes.len(), &quads);
+        let neighbours = Arc::new(topology.neighbours(nodes.len()));
+        let (topology, quads) = (Arc::new(topology), Arc::new(quads));
+        Self { first, origin, reference, quads, topology, neighbours, elements, axis: medium.axis }
+    }
+
+    /// Returns the number of coordinates.
+    pub fn coordinates(&self) -> usize {
+        6 * self.reference.len()
+    }
+
+    /// Returns the range of the coordinates.
+    pub fn range(&self) -> Range<usize> {
+        self.first..self.first + self.coordinates()
+    }
+
+    /// Returns the number of nodes.
+    pub fn nodes(&self) -> usize {
+        self.reference.len()
+    }
+
+    /// Returns the nodes of the elements.
+    pub fn quads(&self) -> &[[usize; NODES]] {
+        &self.quads
+    }
+
+    /// Returns the elements.
+    pub fn elements(&self) -> &[Shell24] {
+        &self.elements
+    }
+
+    /// Returns the elements as terms.
+    pub fn terms(&self) -> Vec<Box<dyn Term>> {
+        self.elements.iter().map(|element| Box::new(element.clone()) as _).collect()
+    }
+
+    /// Returns the elements at a node.
+    pub(crate) fn at_node(&self, node: usize) -> &[usize] {
+        self.topology.at_node(node)
+    }
+
+    /// Returns the first coordinate and the reference value of the position (`kind` = 0) or the director (1) of a node.
+    pub fn nodal(&self, node: usize, kind: usize) -> (usize, Vector3<f64>) {
+        let [r, d] = self.reference[node];
+        (self.first + 6 * node + 3 * kind, if kind == 0 { r + self.origin } else { d })
+    }
+
+    fn nodal_vector(&self, s: &State, node: usize, kind: usize) -> NodalVector {
+        let (first, reference) = self.nodal(node, kind);
+        let value = reference + Vector3::from_column_slice(&s.q[first..first + 3]);
+        NodalVector { first, kind: if kind == 0 { VectorKind::Position } else { VectorKind::Z }, value }
+    }
+
+    /// Returns all nodal vectors in a state, in the order of the coordinates.
+    pub fn vectors<'a>(&'a self, s: &'a State) -> impl Iterator<Item = NodalVector> + 'a {
+        (0..2 * self.nodes()).map(move |i| self.nodal_vector(s, i / 2, i % 2))
+    }
+
+    /// Returns the displacements of the nodal vectors of an element in a state.
+    pub(crate) fn displacements(&self, s: &State, element: usize) -> [Vector3<f64>; QUAD_VECTORS] {
+        std::array::from_fn(|a| {
+            let first = self.first + 6 * self.quads[element][a / 2] + 3 * (a % 2);
+            Vector3::from_column_slice(&s.q[first..first + 3])
+        })
+    }
+
+    /// Returns the node and the kind of vector to which a coordinate of this mesh belongs.
+    pub fn locate_coordinate(&self, coordinate: usize) -> Option<(usize, VectorKind)> {
+        let vector = coordinate.checked_sub(self.first)? / 3;
+        let kind = if vector.is_multiple_of(2) { VectorKind::Position } else { VectorKind::Z };
+        (vector / 2 < self.nodes()).then_some((vector / 2, kind))
+    }
+
+    /// Returns the place of a node in its first element.
+    pub fn place_of(&self, node: usize) -> SurfacePlace {
+        let element = self.topology.at_node(node)[0];
+        let corner = self.quads[element].iter().position(|n| *n == node).unwrap_or(0);
+        SurfacePlace { element, at: CORNERS[corner] }
+    }
+
+    /// Returns the node at a place, if there is one.
+    pub fn node_at(&self, place: SurfacePlace) -> Option<usize> {
+        let corner = CORNERS.iter().position(|at| *at == place.at)?;
+        Some(self.quads[place.element][corner])
+    }
+
+    /// Returns the marker Σ w_a r_a (`kind` = 0) or Σ w_a d_a (1) over the nodes of an element.
+    fn marker(&self, element: usize, weights: &[f64; NODES], kind: usize) -> Marker {
+        let nodes = self.quads[element];
+        let sum: Vector3<f64> = nodes.iter().zip(weights).map(|(&n, w)| self.reference[n][kind] * *w).sum();
+        let parts = nodes.iter().zip(weights).map(|(&n, &w)| (self.first + 6 * n + 3 * kind, w));
+        let origin = if kind == 0 { round_to_zero(weights.iter().sum()) } else { 0.0 };
+        Marker::new(parts, sum + self.origin * origin)
+    }
+
+    /// Returns the point of the middle surface at a place.
+    pub fn point(&self, place: SurfacePlace) -> Marker {
+        self.marker(place.element, &bilinear(place.at)[0], 0)
+    }
+
+    /// Returns the director at a place.
+    pub fn director(&self, place: SurfacePlace) -> Marker {
+        self.marker(place.element, &bilinear(place.at)[0], 1)
+    }
+
+    /// Returns the tangents r_ξ and r_η at a place.
+    pub fn tangents(&self, place: SurfacePlace) -> [Marker; 2] {
+        let [_, x, y] = bilinear(place.at);
+        [x, y].map(|shape| self.marker(place.element, &shape, 0))
+    }
+
+    /// Returns the direction normal to the director at which a tangent of the frame is taken.
+    fn direction(&self, director: &Vector3<f64>) -> Vector3<f64> {
+        let normal = director.normalize();
+        (self.axis - normal * self.axis.dot(&normal)).normalize()
+    }
+
+    /// Returns the derivative of the middle surface along a direction of the reference state.
+    ///
+    /// Within elements it is that of the element. At a node it is a fit to the edges there, without preference of an element.
+    fn tangent(&self, place: SurfacePlace, along: &Vector3<f64>) -> Marker {
+        if let Some(node) = self.node_at(place) {
+            let d = self.reference[node][1];
+            let other = d.cross(along);
+            let arms: Vec<_> = self.neighbours[node]
+                .iter()
+                .map(|&n| {
+                    let arm = self.reference[n][0] - self.reference[node][0];
+                    (n, [arm.dot(along), arm.dot(&other)])
+                })
+                .collect();
+            let mut moment = Matrix2::zeros();
+            for (_, [x, y]) in &arms {
+                moment += Matrix2::new(x * x, x * y, x * y, y * y);
+            }
+            let inverse = moment.try_inverse().unwrap_or_else(Matrix2::zeros);
+            let weights: Vec<(usize, f64)> =
+                arms.iter().map(|(n, [x, y])| (*n, inverse[(0, 0)] * x + inverse[(0, 1)] * y)).collect();
+            let own = -weights.iter().map(|(_, w)| w).sum::<f64>();
+            let all = || weights.iter().copied().chain([(node, own)]);
+            let reference = all().map(|(n, w)| self.reference[n][0] * w).sum();
+            return Marker::new(all().map(|(n, w)| (self.first + 6 * n, w)), reference);
+        }
+        let tangents = self.tangents(place);
+        let [t, s] = tangents.each_ref().map(Marker::reference);
+        let normal = t.cross(&s);
+        let square = normal.norm_squared();
+        let dual = [s.cross(&normal) / square, normal.cross(&t) / square];
+        Marker::combined((0..2).map(|k| (along.dot(&dual[k]), &tangents[k])))
+    }
+
+    /// Returns the frame of the section at a place: y along the director, and a tangent of the middle surface.
+    ///
+    /// Rotations of the director are those of the frame. The rotation about it is that of the tangent.
+    pub fn frame(&self, place: SurfacePlace) -> SectionFrame {
+        let director = self.director(place);
+        let along = self.direction(&director.reference());
+        SectionFrame::new([&director, &self.tangent(place, &along)], 1.0)
+    }
+
+    /// Returns the attachment of joints, loads and probes at a place.
+    pub fn attachment(&self, place: SurfacePlace) -> Attachment {
+        Attachment { point: self.point(place).into(), directions: Directions::Surface(self.frame(place)) }
+    }
+
+    /// Returns the attachment at a place with the frame of stresses: the normal of the middle surface, e₁ along the projection of
+    /// the axis of the section, and n × e₁.
+    pub fn station(&self, place: SurfacePlace) -> Attachment {
+        let tangents = self.tangents(place);
+        let [t, s] = tangents.each_ref().map(Marker::reference);
+        let normal = t.cross(&s).normalize();
+        let along = self.direction(&normal);
+        let square = t.cross(&s).norm_squared();
+        let dual = [s.cross(&t.cross(&s)) / square, t.cross(&s).cross(&t) / square];
+        let direction = |e: Vector3<f64>| Marker::combined((0..2).map(|k| (e.dot(&dual[k]), &tangents[k])));
+        let frame = SectionFrame::new([&direction(along), &direction(normal.cross(&along))], 1.0);
+        Attachment { point: self.point(place).into(), directions: Directions::Surface(frame) }
+    }
+
+    /// Returns the sums Σ m x over parts of the body, one for each element.
+    pub fn mass_markers(&self) -> impl Iterator<Item = Marker> + '_ {
+        self.elements.iter().enumerate().map(|(k, element)| {
+            let first = &element.profile().first;
+            let of = |kind: usize| self.marker(k, &std::array::from_fn(|a| first[2 * a + kind]), kind);
+            Marker::combined([(1.0, &of(0)), (1.0, &of(1))])
+        })
+    }
+
+    /// Visits the elements with their nodal vectors in a state and their compact mass matrices.
+    pub(crate) fn visit_masses(&self, s: &State, visit: &mut MassVisitor<'_>) {
+        for (k, element) in self.elements.iter().enumerate() {
+            let profile = element.profile();
+            let vectors: [NodalVector; QUAD_VECTORS] =
+                std::array::from_fn(|a| self.nodal_vector(s, self.quads[k][a / 2], a % 2));
+            visit(&vectors, &|a, b| profile.mass(a, b));
+        }
+    }
+
+    /// Returns the marker ∫ r dA over an element, in the reference state.
+    pub fn area_marker(&self, element: usize) -> Marker {
+        self.marker(element, &self.elements[element].profile().areas(), 0)
+    }
+
+    /// Returns the places on an edge between two nodes at which loads are integrated, with the lengths that they stand for.
+    ///
+    /// `None` if no element has the edge.
+    pub fn edge_points(&self, [from, to]: [usize; 2]) -> Option<[(SurfacePlace, f64); 2]> {
+        let element = self.topology.of_edge([from, to]).next()?;
+        let corner = |node: usize| self.quads[element].iter().position(|n| *n == node).map(|a| CORNERS[a]);
+        let (a, b) = (corner(from)?, corner(to)?);
+        let length = (self.reference[to][0] - self.reference[from][0]).norm();
+        Some(gauss2().map(|(x, weight)| {
+            let at = [0, 1].map(|i| a[i] + (b[i] - a[i]) * x);
+            (SurfacePlace { element, at }, weight * length)
+        }))
+    }
+
+    /// Returns the strain energy.
+    pub fn strain_energy(&self, s: &State) -> f64 {
+        let of = |element: &Shell24| {
+            let mut q = [0.0; 3 * QUAD_VECTORS];
+            q.iter_mut().zip(element.coordinates()).for_each(|(q, &c)| *q = s.q[c]);
+            element.strain_energy(&q)
+        };
+        self.elements.iter().map(of).sum()
+    }
+}

@@ -1,0 +1,140 @@
+use ancf_solver::equations::{Local, LocalMatrix, Term, Weights, load_power};
+use nalgebra::{Matrix3, Vector3};
+
+use super::forms::{NODES, bilinear, points};
+use super::mesh::ShearShellMesh;
+use crate::functions::Function;
+
+/// Pressure on an element that follows its normal: adds −s f(t) p ∫ N_a r_ξ × r_η dξ dη.
+///
+/// A positive pressure acts along r_ξ × r_η. The load has no potential at a free edge. Its derivative is not symmetric there; the
+/// tangent contains the symmetric part. The work counts as supplied work.
+#[derive(Clone, Debug)]
+pub struct QuadPressure {
+    coordinates: Vec<usize>,
+    /// Positions of the nodes in the reference state, relative to the first one.
+    reference: [Vector3<f64>; NODES],
+    pressure: f64,
+    function: Function,
+}
+
+fn vectors(x: &[f64]) -> [Vector3<f64>; NODES] {
+    std::array::from_fn(|i| Vector3::new(x[3 * i], x[3 * i + 1], x[3 * i + 2]))
+}
+
+fn sum(shape: &[f64; NODES], x: &[Vector3<f64>; NODES]) -> Vector3<f64> {
+    (0..NODES).map(|a| x[a] * shape[a]).sum()
+}
+
+impl QuadPressure {
+    /// Creates the pressure, times a function of time, on an element of a mesh.
+    pub fn on(mesh: &ShearShellMesh, element: usize, pressure: f64, function: &Function) -> Self {
+        let nodes = mesh.quads()[element];
+        let corner = mesh.nodal(nodes[0], 0).1;
+        Self {
+            coordinates: nodes.iter().flat_map(|n| (0..3).map(|i| mesh.nodal(*n, 0).0 + i)).collect(),
+            reference: nodes.map(|n| mesh.nodal(n, 0).1 - corner),
+            pressure,
+            function: function.clone(),
+        }
+    }
+
+    fn factor(&self, at: &Local<'_>) -> f64 {
+        at.load * self.function.value(at.t) * self.pressure
+    }
+
+    /// Calls `visit` with the shape functions, the weight and the tangents of each integration point.
+    fn each(&self, q: &[f64], mut visit: impl FnMut(&[[f64; NODES]; 3], f64, [Vector3<f64>; 2])) {
+        let q = vectors(q);
+        for (at, weight) in points() {
+            let shapes = bilinear(at);
+            let [t, s] = [1, 2].map(|k| sum(&shapes[k], &self.reference) + sum(&shapes[k], &q));
+            visit(&shapes, weight, [t, s]);
+        }
+    }
+
+    /// Returns blocks ∂f_a/∂q_b of the force without its sign and factor.
+    fn derivative(&self, q: &[f64]) -> [[Matrix3<f64>; NODES]; NODES] {
+        let mut blocks = [[Matrix3::zeros(); NODES]; NODES];
+        self.each(q, |[n, x, y], weight, [t, s]| {
+            let (t, s) = (t.cross_matrix(), s.cross_matrix());
+            for b in 0..NODES {
+                let turned = t * y[b] - s * x[b];
+                for a in 0..NODES {
+                    blocks[a][b] += turned * (weight * n[a]);
+                }
+            }
+        });
+        blocks
+    }
+}
+
+impl Term for QuadPressure {
+    fn coordinates(&self) -> &[usize] {
+        &self.coordinates
+    }
+
+    fn residual(&self, at: &Local<'_>, r: &mut [f64]) {
+        let factor = -self.factor(at);
+        self.each(at.q, |[n, ..], weight, [t, s]| {
+            let force = t.cross(&s) * (factor * weight);
+            for (a, n) in n.iter().enumerate() {
+                (0..3).for_each(|i| r[3 * a + i] += n * force[i]);
+            }
+        });
+    }
+
+    fn rounding(&self, at: &Local<'_>, floor: &mut [f64]) {
+        let (factor, q) = (self.factor(at).abs(), vectors(at.q));
+        for (place, weight) in points() {
+            let [n, x, y] = bilinear(place);
+            let size = |shape: &[f64; NODES]| -> f64 {
+                let parts = shape.iter().zip(&q).zip(&self.reference);
+                parts.map(|((n, q), x)| n.abs() * (q.norm() + x.norm())).sum()
+            };
+            let bound = 8.0 * f64::EPSILON * size(&x) * size(&y) * factor * weight;
+            for (a, n) in n.iter().enumerate() {
+                (0..3).for_each(|i| floor[3 * a + i] += n.abs() * bound);
+            }
+        }
+    }
+
+    fn tangent(&self, at: &Local<'_>, w: Weights, k: &mut LocalMatrix<'_>) {
+        let factor = -0.5 * w.q * self.factor(at);
+        if factor == 0.0 {
+            return;
+        }
+        let blocks = self.derivative(at.q);
+        for row in 0..3 * NODES {
+            for column in 0..=row {
+                let (a, i, b, j) = (row / 3, row % 3, column / 3, column % 3);
+                k.add(row, column, factor * (blocks[a][b][(i, j)] + blocks[b][a][(j, i)]));
+            }
+        }
+    }
+
+    fn skew_stiffness(&self, at: &Local<'_>, visit: &mut dyn FnMut(usize, usize, f64)) {
+        let (factor, blocks) = (-0.5 * self.factor(at), self.derivative(at.q));
+        if factor == 0.0 {
+            return;
+        }
+        let largest = blocks.iter().flatten().map(|block| block.amax()).fold(0.0, f64::max);
+        for row in 0..3 * NODES {
+            for column in 0..row {
+                let (a, i, b, j) = (row / 3, row % 3, column / 3, column % 3);
+                let value = blocks[a][b][(i, j)] - blocks[b][a][(j, i)];
+                if value.abs() > 1e-14 * largest {
+                    visit(row, column, factor * value);
+                }
+            }
+        }
+    }
+
+    fn supplied_power(&self, at: &Local<'_>) -> f64 {
+        load_power(self, at)
+    }
+
+    fn is_damped(&self) -> bool {
+        false
+    }
+}

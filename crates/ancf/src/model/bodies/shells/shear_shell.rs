@@ -1,0 +1,244 @@
+use ancf_mechanics::shells::{
+    NearestPoint, QuadTopology, SurfacePlace, TopologyDefect, directors, stress_axis,
+};
+use nalgebra::Vector3;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::layer::Layer;
+use super::layup::Layup;
+use super::quad_mesh::QuadMesh;
+use crate::model::bodies::parts::{At, EdgeName, EdgePlace, InitialMotion, NodePlace, PointPlace};
+use crate::units::Scaled;
+
+/// Largest angle of the normals of neighbouring elements by default, in radians: 40 degrees.
+const CREASE: f64 = 0.7;
+/// Largest distance of a point from the middle surface, relative to the size of the mesh.
+const ON_SURFACE: f64 = 1e-6;
+/// Cosine of the angle from the normal of a plane above which a direction is not in the plane.
+const IN_PLANE: f64 = 1e-6;
+
+/// Shell or plate of four-node elements with transverse shear, on any mesh of quadrilaterals.
+///
+/// Each node has the position r and the director d.
+///
+/// Source: Yamashita, Valkeapää, Jayakumar & Sugiyama (2015).
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
+#[serde(deny_unknown_fields)]
+pub struct ShearShell {
+    /// Name of the shell in joints, loads and probes.
+    #[schemars(length(min = 1))]
+    pub name: String,
+    /// Mesh of the middle surface in the reference state, which is free of stress.
+    pub mesh: QuadMesh,
+    /// Largest angle of the normals of neighbouring elements, in radians. Larger ones are kinks, which are rejected; 0.7 by default.
+    #[unit(radian)]
+    #[serde(default = "crease", skip_serializing_if = "is_crease")]
+    #[schemars(extend("exclusiveMinimum" = 0, "exclusiveMaximum" = 1.5))]
+    pub crease: f64,
+    /// Thickness, length.
+    #[unit(length)]
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub thickness: f64,
+    /// Name of the material, a key of `materials`.
+    pub material: String,
+    /// Layers from the lower to the upper side in the direction of the normal; by default a single one.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub layers: Vec<Layer>,
+    /// Axis whose projection on the surface is the first direction of stresses and the fibre angle zero; required with orthotropic materials.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[unit(none)]
+    pub fibre_axis: Option<[f64; 3]>,
+    /// Initial velocities in dynamics; at rest by default.
+    #[serde(default, skip_serializing_if = "InitialMotion::is_rest")]
+    pub motion: InitialMotion,
+}
+
+const fn crease() -> f64 {
+    CREASE
+}
+
+fn is_crease(angle: &f64) -> bool {
+    *angle == CREASE
+}
+
+impl ShearShell {
+    /// Thickness, material and layers.
+    pub fn layup(&self) -> Layup<'_> {
+        Layup { thickness: self.thickness, material: &self.material, layers: &self.layers }
+    }
+
+    /// Nodes.
+    pub fn points(&self) -> Vec<Vector3<f64>> {
+        self.mesh.nodes.iter().map(|node| Vector3::from(*node)).collect()
+    }
+
+    /// Nodes of the elements.
+    pub fn quads(&self) -> Vec<[usize; 4]> {
+        self.mesh.elements.iter().map(|element| element.map(|node| node as usize)).collect()
+    }
+
+    /// Unit directors of the nodes of a valid mesh: the given ones, or those of the normals.
+    pub(crate) fn unit_directors(&self) -> Vec<Vector3<f64>> {
+        if self.mesh.directors.is_empty() {
+            return directors(&self.points(), &self.quads());
+        }
+        self.mesh.directors.iter().map(|director| Vector3::from(*director).normalize()).collect()
+    }
+
+    /// Axis whose projection on the surface is the first direction of the section.
+    pub(crate) fn axis(&self, directors: &[Vector3<f64>]) -> Vector3<f64> {
+        self.fibre_axis.map_or_else(|| stress_axis(directors), |axis| Vector3::from(axis).normalize())
+    }
+
+    /// Topology of a mesh whose elements have existing nodes.
+    pub(crate) fn topology(&self) -> QuadTopology {
+        QuadTopology::new(self.mesh.nodes.len(), &self.quads())
+    }
+
+    /// Chains of nodes of a named edge.
+    pub fn edge(&self, edge: &EdgeName) -> Option<&[Vec<u32>]> {
+        let EdgeName::Named(name) = edge else { return None };
+        let group = self.mesh.groups.get(name)?;
+        (!group.edges.is_empty()).then_some(&group.edges)
+    }
+
+    /// Nodes of a named edge without repetition, in order.
+    pub fn edge_nodes(&self, edge: &EdgeName) -> Vec<usize> {
+        let mut nodes = Vec::new();
+        for &node in self.edge(edge).into_iter().flatten().flatten() {
+            if !nodes.contains(&(node as usize)) {
+                nodes.push(node as usize);
+            }
+        }
+        nodes
+    }
+
+    /// Pairs of nodes of the element edges of a named edge.
+    pub(crate) fn edge_segments(&self, edge: &EdgeName) -> Vec<[usize; 2]> {
+        let chains = self.edge(edge).into_iter().flatten();
+        let segments =
+            chains.flat_map(|chain| chain.windows(2).map(|pair| [pair[0] as usize, pair[1] as usize]));
+        segments.filter(|segment| segment.iter().all(|node| *node < self.mesh.nodes.len())).collect()
+    }
+
+    /// Elements of a named region; all elements without a name.
+    pub fn region(&self, region: Option<&str>) -> Option<Vec<usize>> {
+        let Some(name) = region else { return Some((0..self.mesh.elements.len()).collect()) };
+        let group = self.mesh.groups.get(name)?;
+        (!group.elements.is_empty()).then(|| group.elements.iter().map(|k| *k as usize).collect())
+    }
+
+    /// True if the nodes of all elements exist.
+    fn has_nodes(&self) -> bool {
+        self.mesh.elements.iter().flatten().all(|node| (*node as usize) < self.mesh.nodes.len())
+    }
+
+    /// First defect of the mesh.
+    pub(crate) fn defect(&self) -> Option<TopologyDefect> {
+        QuadTopology::defect(&self.points(), &self.quads(), self.crease)
+    }
+
+    /// Node of a position at a node.
+    pub(crate) fn node(&self, at: &At) -> Option<usize> {
+        match at {
+            At::Node(NodePlace { node }) => Some(*node as usize).filter(|node| *node < self.mesh.nodes.len()),
+            At::NamedPoint(PointPlace { point }) => match &self.mesh.groups.get(point)?.nodes[..] {
+                [node] => Some(*node as usize).filter(|node| *node < self.mesh.nodes.len()),
+                _ => None,
+            },
+            At::Edge(EdgePlace { edge }) => {
+                let chain = self.edge(edge)?.first()?;
+                chain
+                    .get(chain.len() / 2)
+                    .map(|node| *node as usize)
+                    .filter(|node| *node < self.mesh.nodes.len())
+            }
+            _ => None,
+        }
+    }
+
+    /// Place of a position on the mesh: of a node, of a point of the middle surface, or of the middle node of an edge.
+    ///
+    /// `None` if elements have nodes that do not exist.
+    pub fn place(&self, at: &At) -> Option<SurfacePlace> {
+        if !self.has_nodes() {
+            return None;
+        }
+        if let At::Point(point) = at {
+            let nearest = self.nearest(point)?;
+            return (nearest.distance <= self.tolerance()).then_some(nearest.place);
+        }
+        let node = self.node(at)?;
+        let element = self.mesh.elements.iter().position(|own| own.contains(&(node as u32)))?;
+        let corner = self.mesh.elements[element].iter().position(|own| *own as usize == node)?;
+        Some(SurfacePlace { element, at: [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]][corner] })
+    }
+
+    /// Unit normal of the plane of an edge that contains its nodes and their directors, as a plane of symmetry does.
+    pub(crate) fn plane_of(&self, at: &At) -> Option<Vector3<f64>> {
+        let At::Edge(EdgePlace { edge }) = at else { return None };
+        let (segments, directors) = (self.edge_segments(edge), self.unit_directors());
+        let points = |k: usize| Vector3::from(self.mesh.nodes[k]);
+        let along = |[a, b]: [usize; 2]| (points(b) - points(a)).normalize();
+        let first = *segments.first()?;
+        let normal = along(first).cross(&(directors[first[0]] + directors[first[1]])).try_normalize(1e-9)?;
+        let is_plane = segments.iter().all(|segment| {
+            along(*segment).dot(&normal).abs() < IN_PLANE
+                && segment.iter().all(|node| directors[*node].dot(&normal).abs() < IN_PLANE)
+        });
+        is_plane.then_some(normal)
+    }
+
+    /// Nearest point of the middle surface.
+    pub(crate) fn nearest(&self, point: &[f64; 3]) -> Option<NearestPoint> {
+        NearestPoint::of(&self.points(), &self.quads(), &Vector3::from(*point))
+    }
+
+    /// Largest distance of a point of the middle surface from it.
+    pub(crate) fn tolerance(&self) -> f64 {
+        ON_SURFACE * self.extent()
+    }
+
+    /// Point of the middle surface at a place.
+    pub fn point_at(&self, SurfacePlace { element, at: [x, y] }: SurfacePlace) -> Vector3<f64> {
+        let weights = [(1.0 - x) * (1.0 - y), x * (1.0 - y), x * y, (1.0 - x) * y];
+        let nodes =
+            self.mesh.elements[element].iter().map(|node| Vector3::from(self.mesh.nodes[*node as usize]));
+        nodes.zip(weights).map(|(node, weight)| node * weight).sum()
+    }
+
+    /// Opposite corners of the box around the nodes.
+    pub(crate) fn corners(&self) -> [[f64; 3]; 2] {
+        let mut corners = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
+        for node in &self.mesh.nodes {
+            for k in 0..3 {
+                corners[0][k] = corners[0][k].min(node[k]);
+                corners[1][k] = corners[1][k].max(node[k]);
+            }
+        }
+        corners
+    }
+
+    /// Diagonal of the box around the nodes.
+    pub(crate) fn extent(&self) -> f64 {
+        let [low, high] = self.corners().map(Vector3::from);
+        (high - low).norm()
+    }
+
+    /// Area of the middle surface, by 2 × 2 points as in the elements.
+    pub fn area(&self) -> f64 {
+        let near = 0.5 - 0.5 / 3.0_f64.sqrt();
+        let parts = [near, 1.0 - near];
+        let of = |element: &[u32; 4]| -> f64 {
+            let x = element.map(|node| Vector3::from(self.mesh.nodes[node as usize]));
+            let at = |s: f64, t: f64| {
+                let along = (x[1] - x[0]) * (1.0 - t) + (x[2] - x[3]) * t;
+                let beside = (x[3] - x[0]) * (1.0 - s) + (x[2] - x[1]) * s;
+                along.cross(&beside).norm()
+            };
+            parts.iter().flat_map(|s| parts.iter().map(move |t| (s, t))).map(|(s, t)| 0.25 * at(*s, *t)).sum()
+        };
+        self.mesh.elements.iter().map(of).sum()
+    }
+}

@@ -1,0 +1,110 @@
+//! Parts of model files with one shear-deformable shell `s` of a material `m`.
+
+use std::fmt::{self, Write};
+
+/// Shear-deformable shell of a model.
+pub(super) struct MeshModel {
+    pub(super) nodes: Vec<[f64; 3]>,
+    pub(super) elements: Vec<[usize; 4]>,
+    pub(super) directors: Vec<[f64; 3]>,
+    /// Groups, as in a model file.
+    pub(super) groups: String,
+    pub(super) thickness: f64,
+    /// Further keys of the shell.
+    pub(super) keys: String,
+    /// Material, as in a model file.
+    pub(super) material: String,
+}
+
+/// Isotropic material: Young's modulus, Poisson's ratio and density.
+pub(super) fn isotropic([young, poisson, density]: [f64; 3]) -> String {
+    format!("young = {young:e}, poisson = {poisson:?}, density = {density:e}")
+}
+
+impl MeshModel {
+    /// Mesh of n × m elements of a map of the unit square, with the groups `u0`, `u1`, `v0` and `v1` of its edges and the points `p00`,
+    /// `p10`, `p11` and `p01` of its corners. The map returns points and normals.
+    pub(super) fn grid(
+        [n, m]: [usize; 2],
+        thickness: f64,
+        material: String,
+        map: impl Fn([f64; 2]) -> [[f64; 3]; 2],
+    ) -> Self {
+        let node = |i: usize, j: usize| j * (n + 1) + i;
+        let places = (0..=m).flat_map(|j| (0..=n).map(move |i| [i as f64 / n as f64, j as f64 / m as f64]));
+        let (nodes, directors) =
+            places.map(|at| map(at).into()).map(|(r, d): ([f64; 3], [f64; 3])| (r, d)).unzip();
+        let element = |i: usize, j: usize| [node(i, j), node(i + 1, j), node(i + 1, j + 1), node(i, j + 1)];
+        let elements = (0..m).flat_map(|j| (0..n).map(move |i| (i, j))).map(|(i, j)| element(i, j)).collect();
+        let row = |j: usize| (0..=n).map(|i| node(i, j)).collect::<Vec<_>>();
+        let column = |i: usize| (0..=m).map(|j| node(i, j)).collect::<Vec<_>>();
+        let edges = [("u0", column(0)), ("u1", column(n)), ("v0", row(0)), ("v1", row(m))];
+        let points = [
+            ("p00", node(0, 0)),
+            ("p10", node(n, 0)),
+            ("p11", node(n, m)),
+            ("p01", node(0, m)),
+            ("middle", node(n / 2, m / 2)),
+        ];
+        let mut groups = String::new();
+        for (name, chain) in edges {
+            let _ = writeln!(groups, "groups.{name} = {{ edges = [{chain:?}] }}");
+        }
+        for (name, node) in points {
+            let _ = writeln!(groups, "groups.{name} = {{ nodes = [{node}] }}");
+        }
+        Self { nodes, elements, directors, groups, thickness, keys: String::new(), material }
+    }
+
+    /// Flat rectangular plate in the plane x, y.
+    pub(super) fn plate(elements: [usize; 2], [a, b]: [f64; 2], thickness: f64, material: String) -> Self {
+        Self::grid(elements, thickness, material, |[u, v]| [[a * u, b * v, 0.0], [0.0, 0.0, 1.0]])
+    }
+}
+
+impl fmt::Display for MeshModel {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { nodes, elements, directors, groups, thickness, keys, material } = self;
+        writeln!(f, "materials.m = {{ {material} }}")?;
+        writeln!(
+            f,
+            "[[bodies]]\nkind = \"shear_shell\"\nname = \"s\"\nthickness = {thickness:?}\nmaterial = \"m\"\n{keys}"
+        )?;
+        writeln!(f, "[bodies.mesh]\nnodes = {nodes:?}\nelements = {elements:?}")?;
+        writeln!(f, "directors = {directors:?}\n{groups}")
+    }
+}
+
+/// Support of an edge.
+pub(super) fn edge(edge: &str, condition: &str) -> String {
+    format!(
+        "[[joints]]\nkind = \"support\"\nname = \"{edge}\"\na = {{ body = \"s\", at = {{ edge = \"{edge}\" }} }}\n\
+         condition = {condition}\n"
+    )
+}
+
+/// Support of a point against displacements along global axes.
+pub(super) fn node(point: &str, axes: &str) -> String {
+    format!(
+        "[[joints]]\nkind = \"support\"\nname = \"{point} {}\"\na = {{ body = \"s\", at = {{ point = \"{point}\" }} }}\n\
+         condition = \"guided\"\naxes = [{axes}]\n",
+        axes.replace(['"', ','], "")
+    )
+}
+
+/// Force at a point.
+pub(super) fn force(point: &str, force: [f64; 3]) -> String {
+    format!(
+        "[[loads]]\nkind = \"force\"\non = {{ body = \"s\", at = {{ point = \"{point}\" }} }}\nforce = {force:?}\n"
+    )
+}
+
+/// Load per length of an edge, of kind `edge_force` or `edge_moment`.
+pub(super) fn edge_load(kind: &str, edge: &str, key: &str, load: [f64; 3]) -> String {
+    format!("[[loads]]\nkind = \"{kind}\"\nbody = \"s\"\nedge = \"{edge}\"\n{key} = {load:?}\n")
+}
+
+/// Probe of a point.
+pub(super) fn probe(name: &str, point: &str) -> String {
+    format!("[[probes]]\nname = \"{name}\"\non = {{ body = \"s\", at = {{ point = \"{point}\" }} }}\n")
+}

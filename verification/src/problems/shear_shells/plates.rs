@@ -1,0 +1,122 @@
+//! Plates with transverse shear: deflections and frequencies of the theory of Mindlin, and laminates.
+
+use std::f64::consts::TAU;
+
+use super::mesh::{MeshModel, edge, isotropic, node, probe};
+use crate::{Findings, Plot, PlotCurve, Problem, VerificationError, solve};
+
+/// Problems of this file.
+pub(super) const PROBLEMS: &[Problem] = &[
+    Problem {
+        name: "mindlin_plate",
+        title: "Thick square plate on hard simple supports",
+        source: "Navier solution of the Reissner-Mindlin plate with κ = 5/6, ν = 0.3: w D/(q a⁴) = 0.00406445756, 0.00427284224 and \
+                 0.00490431098 for h/a = 0.01, 0.1 and 0.2; ω a² √(ρh/D) = 19.0649671691 and 45.4826799050 for h/a = 0.1",
+        sketch: r"
+      +--------+
+      |        |   a = 1, D = 1, ρh = 1
+      +--------+",
+        goal: "Deflection within 0.5 % with 16 × 16 elements, and two frequencies within 1 % with 24 × 24 elements",
+        run: mindlin,
+    },
+    Problem {
+        name: "shear_shell_laminates",
+        title: "Cross-ply square plates with transverse shear",
+        source: "Navier solution of the first-order theory with κ = 5/6, E_L = 25 E_T, G_LT = 0.5 E_T, G_TT = 0.2 E_T, ν = 0.25: \
+                 100 E_T w h³/(q a⁴) = 1.02193277 (0/90/0) and 1.94686989 (0/90), ω a²/h √(ρ/E_T) = 12.1628548487 and 8.9000743731 for \
+                 a/h = 10",
+        sketch: r"
+      +--------+
+      |        |   uniform load q; edges supported along w and the tangent
+      +--------+",
+        goal: "Deflection within 0.5 % and first frequency within 1 % with 16 × 16 elements",
+        run: laminates,
+    },
+];
+
+/// Small displacements.
+const SMALL: f64 = 1e-6;
+
+fn pressure(size: f64) -> String {
+    format!("[[loads]]\nkind = \"surface_force\"\nbody = \"s\"\nforce = [0, 0, {size:e}]\n")
+}
+
+fn mindlin() -> Result<Findings, VerificationError> {
+    let (mut found, mut points) = (Findings::default(), Vec::new());
+    let supports: String =
+        ["u0", "u1", "v0", "v1"].map(|name| edge(name, "\"guided\"\naxes = [\"z\"]\nhard = true")).concat();
+    let supports = supports + &node("p00", "\"x\", \"y\"") + &node("p10", "\"y\"");
+    let plate = |n: usize, h: f64| {
+        let material = isotropic([12.0 * (1.0 - 0.09) / h.powi(3), 0.3, 1.0 / h]);
+        MeshModel::plate([n, n], [1.0, 1.0], h, material)
+    };
+    for (h, exact) in [(0.01, 0.00406445756), (0.1, 0.00427284224), (0.2, 0.00490431098)] {
+        let model = format!(
+            "{}{supports}{}{}[analysis]\nkind = \"statics\"\n",
+            plate(16, h),
+            pressure(SMALL),
+            probe("c", "middle")
+        );
+        let ours = solve(&model)?.last("c.z")? / SMALL;
+        points.push([h, ours / exact]);
+        found.compare(format!("deflection, h/a = {h}"), ours, exact, exact, 5e-3);
+    }
+    let curves = vec![PlotCurve::points("computed", points)];
+    found.plot(Plot::new("Deflection, relative to the Navier solution", ["h/a", "ratio"], curves));
+    // Without displacements in the plane, the lowest modes are those of bending.
+    let supports: String = ["u0", "u1", "v0", "v1"]
+        .map(|name| edge(name, "\"guided\"\naxes = [\"x\", \"y\", \"z\"]\nhard = true"))
+        .concat();
+    let model = format!("{}{supports}[analysis]\nkind = \"modes\"\ncount = 3\n", plate(24, 0.1));
+    let solved = solve(&model)?;
+    let frequencies = solved.column("frequency")?;
+    for (k, exact) in [19.0649671691, 45.4826799050, 45.4826799050].into_iter().enumerate() {
+        let ours = frequencies.get(k).map_or(f64::NAN, |f| TAU * f);
+        found.compare(format!("frequency {}", k + 1), ours, exact, exact, 1e-2);
+    }
+    Ok(found)
+}
+
+fn laminates() -> Result<Findings, VerificationError> {
+    let (mut found, mut curves) = (Findings::default(), Vec::new());
+    let support =
+        |name: &str, axis: &str| edge(name, &format!("\"guided\"\naxes = [\"{axis}\", \"z\"]\nhard = true"));
+    let supports = [support("u0", "y"), support("u1", "y"), support("v0", "x"), support("v1", "x")].concat();
+    let material = "young = 25, poisson = 0.25, density = 1, orthotropic = { young = 1, shear = 0.5, transverse_shear = 0.2 }";
+    let quarter = TAU / 4.0;
+    let plies: [(&str, &[f64], [f64; 2]); 2] = [
+        ("0/90/0", &[0.0, quarter, 0.0], [1.02193277, 12.1628548487]),
+        ("0/90", &[0.0, quarter], [1.94686989, 8.9000743731]),
+    ];
+    for (name, angles, [deflection, frequency]) in plies {
+        let layers: Vec<String> = angles.iter().map(|angle| format!("{{ angle = {angle:?} }}")).collect();
+        let shell = MeshModel {
+            keys: format!("fibre_axis = [1, 0, 0]\nlayers = [{}]\n", layers.join(", ")),
+            ..MeshModel::plate([16, 16], [10.0, 10.0], 1.0, material.to_owned())
+        };
+        let model = format!(
+            "{shell}{supports}{}{}[analysis]\nkind = \"statics\"\n",
+            pressure(SMALL),
+            probe("c", "middle")
+        );
+        let ours = 100.0 * solve(&model)?.last("c.z")? / (SMALL * 1e4);
+        let mut points = vec![[1.0, ours / deflection]];
+        found.compare(format!("{name}: deflection"), ours, deflection, deflection, 5e-3);
+        let model = format!("{shell}{supports}[analysis]\nkind = \"modes\"\ncount = 1\n");
+        let ours = solve(&model)?.column("frequency")?.first().map_or(f64::NAN, |f| TAU * f * 100.0);
+        points.push([2.0, ours / frequency]);
+        found.compare(format!("{name}: frequency"), ours, frequency, frequency, 1e-2);
+        curves.push(PlotCurve::points(name, points));
+    }
+    let axes = ["deflection (1), frequency (2)", "ratio"];
+    found.plot(Plot::new("Deflection and frequency, relative to the Navier solution", axes, curves));
+    Ok(found)
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn hold() {
+        crate::assert_all_hold(super::PROBLEMS);
+    }
+}

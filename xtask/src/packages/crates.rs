@@ -24,7 +24,7 @@ pub(crate) fn publish_dry_run(release: &Release, source: &Path) -> Done {
     say("\n== crates: cargo publish --workspace --dry-run");
     run("crates", command.current_dir(source))?;
     for name in published()?.iter().filter_map(|package| package["name"].as_str()) {
-        // Versions of cargo differ in the place of crates that are not published.
+        // The location depends on the version of cargo.
         let file = format!("{name}-{}.crate", release.version);
         let places = ["package", "package/tmp-crate", "package/tmp-registry"];
         let place = places.iter().map(|place| folder.join(place).join(&file)).find(|place| place.exists());

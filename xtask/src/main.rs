@@ -23,6 +23,7 @@ cargo xtask test            all tests: format, layers, lints, tests, documentati
                             the viewer in a browser, Python, FMUs in importers
 cargo xtask layers          module structure by layers.toml: folders, imports, cycles, sizes; --tree PATH, --root DIR
 cargo xtask python          the Python package alone: installed, checked, tested, its site built
+cargo xtask wheel           the wheel with the program inside, tried in an empty environment
 cargo xtask fmi             FMUs in FMPy, Ecos and libcosim: validated, compared with own runs
 cargo xtask docs            the documentation site, into target/site
 cargo xtask schema          docs/model.schema.json, the Python classes and the key tables of the documentation, after a
@@ -58,6 +59,7 @@ fn main() -> ExitCode {
         "test" => test::all(),
         "layers" => layers::check(options),
         "python" => package::test(),
+        "wheel" => package::wheel(),
         "fmi" => importers::test(),
         "docs" => package::docs(),
         "schema" => schema::refresh(),

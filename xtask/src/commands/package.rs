@@ -9,20 +9,9 @@ use crate::system::debian;
 use crate::system::environment::Environment;
 use crate::system::shell::{Done, cargo, root, run, say};
 
-/// Builds the wheel with the program of the tests inside, tries it in an empty environment, installs it with the dependencies
-/// of its tests and documentation, and runs both.
+/// Installs the package with the dependencies of its tests and documentation, and runs both.
 pub(crate) fn test() -> Done {
-    let environment = environment()?;
-    // Same packages as the tests of the documentation: nothing is compiled twice.
-    cargo("program", &["build", "--quiet", "--workspace", "--bins", "--examples"], &[])?;
-    let built = root().join("target/debug");
-    let library = built.join("deps").join(format!("{DLL_PREFIX}ancf_fmu{DLL_SUFFIX}"));
-    let built = Built { program: built.join(format!("ancf{EXE_SUFFIX}")), library: Some(library) };
-    let folder = root().join("target/wheel");
-    let file = wheel::build(&environment, &root(), &built, &wheel::Options::default(), &folder)?;
-    environment.install(["--force-reinstall", "--no-deps", &file.display().to_string()])?;
-    environment.install([format!("{}[test,docs]", file.display())])?;
-    wheel::test(&file, &environment, &folder)?;
+    let environment = installed()?;
     let checks: [(&str, &str, &[&str]); 6] = [
         ("format of Python", "ruff", &["format", "--check", "--quiet", "."]),
         ("lints of Python", "ruff", &["check", "--quiet", "."]),
@@ -34,22 +23,34 @@ pub(crate) fn test() -> Done {
     checks.iter().try_for_each(|(what, program, arguments)| step(&environment, what, program, arguments))
 }
 
+/// Builds the wheel with the program of the tests inside, and tries it in an empty environment.
+pub(crate) fn wheel() -> Done {
+    let environment = installed()?;
+    // Same packages as the tests of the documentation: nothing is compiled twice.
+    cargo("program", &["build", "--quiet", "--workspace", "--bins", "--examples"], &[])?;
+    let built = root().join("target/debug");
+    let library = built.join("deps").join(format!("{DLL_PREFIX}ancf_fmu{DLL_SUFFIX}"));
+    let built = Built { program: built.join(format!("ancf{EXE_SUFFIX}")), library: Some(library) };
+    let folder = root().join("target/wheel");
+    let file = wheel::build(&environment, &root(), &built, &wheel::Options::default(), &folder)?;
+    wheel::test(&file, &environment, &folder)
+}
+
 /// Builds the documentation site into `target/site`.
 pub(crate) fn docs() -> Done {
-    let environment = environment()?;
-    environment.install([format!("{}[test,docs]", root().display())])?;
-    step(&environment, "site", "sphinx-build", &["-E", "-W", "--keep-going", "docs", "target/site"])?;
+    step(&installed()?, "site", "sphinx-build", &["-E", "-W", "--keep-going", "docs", "target/site"])?;
     say("the site is in target/site/index.html");
     Ok(())
 }
 
-/// Environment of the tests.
-fn environment() -> Result<Environment, String> {
+fn installed() -> Result<Environment, String> {
     if cfg!(target_os = "linux") && !debian::has_library("libEGL.so.1") {
         // Libraries for drawing without a screen. The tests of scenes fail if they cannot be installed.
         let _ = ["libegl1", "libgl1-mesa-dri"].iter().all(|package| debian::install(package));
     }
-    Environment::at(&root().join("target/python"))
+    let environment = Environment::at(&root().join("target/python"))?;
+    environment.install([format!("{}[test,docs]", root().display())])?;
+    Ok(environment)
 }
 
 fn step(environment: &Environment, what: &str, program: &str, arguments: &[&str]) -> Done {

@@ -24,7 +24,11 @@ pub(crate) fn publish_dry_run(release: &Release, source: &Path) -> Done {
     say("\n== crates: cargo publish --workspace --dry-run");
     run("crates", command.current_dir(source))?;
     for name in published()?.iter().filter_map(|package| package["name"].as_str()) {
-        let file = folder.join(format!("package/{name}-{}.crate", release.version));
+        // The location depends on the version of cargo.
+        let file = format!("{name}-{}.crate", release.version);
+        let places = ["package", "package/tmp-crate", "package/tmp-registry"];
+        let place = places.iter().map(|place| folder.join(place).join(&file)).find(|place| place.exists());
+        let file = place.ok_or_else(|| format!("cargo left no file {file}"))?;
         let size = std::fs::metadata(&file).map_err(|error| format!("{}: {error}", file.display()))?.len();
         if size > MAX_SIZE {
             return Err(format!("{} has {size} bytes, crates.io accepts {MAX_SIZE}", file.display()));

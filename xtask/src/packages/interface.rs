@@ -23,10 +23,15 @@ pub(crate) fn check(options: &[String]) -> Done {
     let rustdoc = rustdoc()?;
     let mut changed = Vec::new();
     for library in LIBRARIES {
-        let now = items(library, &rustdoc)?;
         let file = root().join(format!("xtask/interface/{library}.txt"));
+        if !update && !file.exists() {
+            say(&format!("{library} was NOT checked: no listing is recorded"));
+            continue;
+        }
+        let now = items(library, &rustdoc)?;
         let recorded = fs::read_to_string(&file).unwrap_or_default();
         if update {
+            super::release::create(file.parent().unwrap_or(&file))?;
             fs::write(&file, &now).map_err(|error| format!("{}: {error}", file.display()))?;
         } else if now != recorded {
             changed.push(difference(library, &recorded, &now));

@@ -56,7 +56,7 @@ pub(super) fn separators(trial: &Trial<'_>) -> Done {
 
 /// Paths with more than 260 characters, the classical limit of Windows, in folders that exist and in new ones.
 pub(super) fn long_path(trial: &Trial<'_>) -> Done {
-    let folder = vec!["long name of a folder, forty characters"; 7].join("/");
+    let folder = ["long name of a folder, forty characters"; 7].join("/");
     let unix = trial.path(&folder).display().to_string();
     let path = if trial.program.is_windows() { windows_path(&unix) } else { unix };
     trial.done(&["run", "statics.toml", "-o", &path])?;

@@ -97,7 +97,7 @@ const AT_NODE: f64 = 1e-6;
 
 impl Prestrain {
     fn part(&self) -> AxisPart<'_> {
-        AxisPart { body: &self.body, from: self.from, to: self.to, loads: [[0.0; 3]; 2] }
+        AxisPart { body: &self.body, from: &self.from, to: &self.to, loads: [[0.0; 3]; 2] }
     }
 
     /// Key of a curvature that is not zero.
@@ -123,7 +123,7 @@ impl Prestrain {
     /// Checks that the part starts and ends at nodes.
     fn check_nodes(&self, path: &str, owner: &str, body: &Body) -> Vec<Finding> {
         let element = body.length() / f64::from(body.elements().max(1));
-        let check = |(key, at): (&str, At)| {
+        let check = |(key, at): (&str, &At)| {
             let s = body.arc_length(at);
             let node = (s / element).round() * element;
             if (s - node).abs() <= AT_NODE * element {
@@ -134,7 +134,7 @@ impl Prestrain {
             let rests_on = ["elements", "from", "to", "shape"].map(|key| format!("{owner}.{key}"));
             Some(finding(format!("{path}.{key}"), found, expected).rests_on(rests_on))
         };
-        [("from", self.from), ("to", self.to)].into_iter().filter_map(check).collect()
+        [("from", &self.from), ("to", &self.to)].into_iter().filter_map(check).collect()
     }
 
     /// Checks that the law of the material has strains to prescribe, and that the tension has a strain.

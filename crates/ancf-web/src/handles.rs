@@ -105,7 +105,7 @@ fn found<'a>(item: &'a mut Item, path: &[Step]) -> Option<&'a mut Item> {
 /// Reference position of a place without an arm.
 fn point(model: &Model, place: &Place) -> Option<[f64; 3]> {
     let body = model.bodies.iter().find(|body| body.name() == place.body)?;
-    (place.offset == [0.0; 3]).then(|| body.point(place.at).map(Into::into)).flatten()
+    (place.offset == [0.0; 3]).then(|| body.point(&place.at).map(Into::into)).flatten()
 }
 
 /// Points of the model that the file states as vectors, with their keys.

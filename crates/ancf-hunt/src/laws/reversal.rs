@@ -138,7 +138,7 @@ fn line_load(load: &mut Load, reversed: &[(String, f64)]) {
 fn prestrain(load: &mut Load, reversed: &[(String, f64)]) {
     let Load::Prestrain(load) = load else { return };
     let Some((_, length)) = reversed.iter().find(|(name, _)| *name == load.body) else { return };
-    (load.from, load.to) = (opposite(load.to, *length), opposite(load.from, *length));
+    (load.from, load.to) = (opposite(&load.to, *length), opposite(&load.from, *length));
     if let Some(end) = &mut load.strain_end {
         std::mem::swap(&mut load.strain, end);
     }

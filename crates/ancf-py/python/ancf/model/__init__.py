@@ -137,6 +137,7 @@ from ancf.model.loads import (
     Input,
     Load,
     Moment,
+    Prestrain,
     SurfaceForce,
     SurfacePressure,
 )
@@ -264,6 +265,7 @@ __all__ = [
     "PointPlace",
     "Position",
     "PrescribedMotion",
+    "Prestrain",
     "Prismatic",
     "Probe",
     "ProbeQuantity",

@@ -27,6 +27,7 @@ __all__ = [
     "Input",
     "Load",
     "Moment",
+    "Prestrain",
     "SurfaceForce",
     "SurfacePressure",
 ]
@@ -382,6 +383,56 @@ class FluidLoad(Part):
 
 @checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
+class Prestrain(Part):
+    """Change of the stress-free shape of a beam or cable: shrinking, heating, growing, pretension.
+
+    The stress follows from the strain less the prescribed one. Axial strain, tension and curvature of all
+    loads of a body add up.
+
+    Attributes
+    ----------
+    body
+        Name of the body.
+    curvature
+        Curvature without stress in the frame of the section, in addition to that of the reference shape:
+        twist about x, bending about y and z; radians/length. Default: ``[0.0, 0.0, 0.0]``.
+    curvature_end
+        Curvature at ``to``. The curvature varies linearly from ``curvature`` at ``from``. Constant by
+        default.
+    from_
+        Start of the part, a node; the start of the axis by default.
+    strain
+        Axial strain without stress: 0.01 lengthens a free body by 1 %, αΔT is that of a warmer body (>= -0.5,
+        <= 1.0). Default: ``0.0``.
+    strain_end
+        Axial strain at ``to``. The strain varies linearly from ``strain`` at ``from``. Constant by default
+        (>= -0.5, <= 1.0).
+    tension
+        Axial force in the reference shape, positive in tension; force. Default: ``0.0``.
+    time
+        Function of time that multiplies strain, tension and curvature. Statics ignores it. Default: ``1.0``.
+    to
+        End of the part, a node; the end of the axis by default.
+
+    """
+
+    _form = "Load"
+    _tag = "kind"
+    kind: ClassVar[Literal["prestrain"]] = "prestrain"
+
+    body: str
+    curvature: Vector | None = None
+    curvature_end: Vector | None = None
+    from_: Position | None = None
+    strain: float | None = None
+    strain_end: float | None = None
+    tension: float | None = None
+    time: TimeFunction | None = None
+    to: Position | None = None
+
+
+@checked_arguments
+@dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class ExternalForce(Part):
     """Force at a point, computed by a function of time, position and velocity of the point.
 
@@ -420,6 +471,7 @@ Load: TypeAlias = (
     | BaseAcceleration
     | BaseRotation
     | FluidLoad
+    | Prestrain
     | ExternalForce
 )
 """Load on bodies. Gravity is a key of the model."""

@@ -20,6 +20,7 @@ ProbeQuantity: TypeAlias = Literal[
     "section_forces",
     "strain",
     "stress",
+    "inertial_sensor",
     "resultants",
     "surface_stress",
 ]
@@ -33,6 +34,9 @@ ProbeQuantity: TypeAlias = Literal[
 * ``"strain"``: Green-Lagrange strain at the point in the frame of the section: ``exx``, ``eyy``, ``ezz``,
   ``exy``, ``exz``, ``eyz``.
 * ``"stress"``: Second Piola-Kirchhoff stress at the point: ``sxx`` and so on.
+* ``"inertial_sensor"``: Readings of an inertial sensor at the point, along axes that turn with the section or
+  the rigid body and are the global ones in the undeformed state: acceleration less gravity, ``imu_ax``,
+  ``imu_ay``, ``imu_az``, and angular velocity, ``imu_wx``, ``imu_wy``, ``imu_wz``.
 * ``"resultants"``: Membrane forces and moments per length of a shell: ``nuu``, ``nvv``, ``nuv``, ``muu``,
   ``mvv``, ``muv``. Components are those in the orthonormal frame of the undeformed surface: u along ∂r/∂u, v
   normal to it. Moments are positive for tension at the top, the side of the normal.
@@ -94,6 +98,8 @@ class Output(Part):
         strain energy of each body, and the first three of the model. Default: ``False``.
     parquet
         True to write ``results.parquet``. Default: ``True``.
+    power
+        True to record the power of each joint and load on the bodies, in dynamics. Default: ``False``.
     states
         Approximate number of states stored for figures and reports, evenly spaced in time. The first and the
         last state are always stored. All equilibria, modes and critical loads are stored, unless 0 (>= 0).
@@ -110,4 +116,5 @@ class Output(Part):
     interval: float | None = None
     momentum: bool | None = None
     parquet: bool | None = None
+    power: bool | None = None
     states: int | None = None

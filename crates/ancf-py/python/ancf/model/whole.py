@@ -146,7 +146,7 @@ class Model(Document):
         Materials by name.
     output
         Content and frequency of the output. Default: ``Output(csv=True, energy_parts=False, errors=False,
-        every=1, momentum=False, parquet=True, states=200)``.
+        every=1, momentum=False, parquet=True, power=False, states=200)``.
     probes
         Places where results are recorded.
     scales

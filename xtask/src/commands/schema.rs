@@ -1,19 +1,24 @@
 //! Files generated from the model types.
 
-use std::fs;
+use std::path::PathBuf;
 use std::process::Command;
+use std::{env, fs};
 
 use crate::documents::key_tables;
 use crate::python;
-use crate::system::shell::{Done, root};
+use crate::system::shell::{Done, cargo, root};
 
 /// Writes the JSON Schema of model files as the program prints it, and the Python classes and key tables generated
 /// from it.
 pub(crate) fn refresh() -> Done {
-    let output = Command::new(env!("CARGO"))
-        .args(["run", "--quiet", "--package", "ancf-cli", "--", "schema"])
+    // Same packages as the tests: `cargo run` would compile the library with other features of its dependencies.
+    cargo("program", &["test", "--workspace", "--no-run", "--quiet"], &[])?;
+    let target = env::var_os("CARGO_TARGET_DIR").map_or_else(|| root().join("target"), PathBuf::from);
+    let program = target.join("debug").join(format!("ancf{}", env::consts::EXE_SUFFIX));
+    let output = Command::new(&program)
+        .arg("schema")
         .output()
-        .map_err(|error| format!("cannot run cargo: {error}"))?;
+        .map_err(|error| format!("cannot run {}: {error}", program.display()))?;
     if !output.status.success() {
         return Err(String::from_utf8_lossy(&output.stderr).into_owned());
     }

@@ -44,15 +44,7 @@ impl IndexedModel<'_> {
             .iter()
             .map(|probe| (probe.name.clone(), self.probed(&bodies, probe).2.point))
             .collect();
-        let recorded = self.probes.iter().flat_map(|probe| {
-            let (body, s, place) = self.probed(&bodies, probe);
-            let surface = self.bodies[body].shell_place(&probe.on.at);
-            probe.record.iter().map(move |&quantity| {
-                let (name, place, offset) = (probe.name.clone(), place.clone(), probe.offset);
-                RecordedQuantity { name, quantity, place, body, s, offset, surface }
-            })
-        });
-        let recorded_quantities = recorded.collect();
+        let recorded_quantities = self.recorded(&bodies);
         let [coordinates, multipliers] = Self::numbers(&bodies, &joints);
         let multipliers = multipliers + self.couplings.len();
         let batches = term_batches(&terms);
@@ -83,6 +75,19 @@ impl IndexedModel<'_> {
         let encounters = self.encounters(&assembly.bodies, &assembly.initial());
         assembly.system = assembly.system.with_searches(encounters);
         Ok(assembly)
+    }
+
+    /// Quantities that the probes record.
+    fn recorded(&self, bodies: &[(String, BodyTerms)]) -> Vec<RecordedQuantity> {
+        let recorded = self.probes.iter().flat_map(|probe| {
+            let (body, s, place) = self.probed(bodies, probe);
+            let surface = self.bodies[body].shell_place(&probe.on.at);
+            probe.record.iter().map(move |&quantity| {
+                let (name, place, offset) = (probe.name.clone(), place.clone(), probe.offset);
+                RecordedQuantity { name, quantity, place, body, s, offset, surface }
+            })
+        });
+        recorded.collect()
     }
 
     /// Number of the body, arc length and place of a probe.

@@ -42,7 +42,7 @@ pub struct Prestrain {
     #[serde(default)]
     #[unit(radian / length)]
     pub curvature: [f64; 3],
-    /// Curvature at `to`. The curvature varies linearly from `curvature` at `from`. Constant by default.
+    /// Curvature at `to`, radians/length. The curvature varies linearly from `curvature` at `from`. Constant by default.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[unit(radian / length)]
     pub curvature_end: Option<[f64; 3]>,

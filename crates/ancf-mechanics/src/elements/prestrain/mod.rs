@@ -2,10 +2,12 @@
 
 mod beam;
 mod cable;
+mod list;
 mod source;
 mod term;
 
 pub(crate) use beam::prestrains;
+pub(crate) use list::Prestrains;
 pub use source::Prestrain;
 pub(crate) use source::{Change, ElementPlace};
 pub(crate) use term::{PrestrainTerm, Prestrained};

@@ -1,7 +1,7 @@
 use ancf_solver::equations::{State, Term};
 use nalgebra::Vector3;
 
-use super::mesh::BeamMesh;
+use crate::bodies::mesh::BeamMesh;
 use crate::constraints::Wrench;
 use crate::kinematics::VectorKind;
 

@@ -3,7 +3,7 @@
 use ancf_solver::equations::{LOCAL, Local, State, Term};
 use nalgebra::Vector3;
 
-use super::mesh::BeamMesh;
+use crate::bodies::mesh::BeamMesh;
 use crate::constraints::Wrench;
 use crate::kinematics::{VectorKind, gauss4};
 use crate::rods::{PointLoad, RodLoads};
@@ -101,17 +101,6 @@ impl BeamMesh {
         let on_axis = |kind: VectorKind| matches!(kind, VectorKind::Position | VectorKind::Slope);
         let parts = weights.iter().enumerate().filter(|(_, (kind, ..))| on_axis(*kind));
         parts.map(|(i, (.., directors))| self.vector(state, offset + i) * directors[0]).sum()
-    }
-
-    /// Returns the value of a vector in a state.
-    pub(super) fn vector(&self, state: &State, vector: usize) -> Vector3<f64> {
-        self.reference[vector] + self.displacement(state, vector)
-    }
-
-    /// Returns the displacement of a vector.
-    pub(super) fn displacement(&self, state: &State, vector: usize) -> Vector3<f64> {
-        let first = self.first + 3 * vector;
-        Vector3::from_column_slice(&state.q[first..first + 3])
     }
 
     /// Returns the virtual works of nodal forces on displacements 1, ξ, ξ² and ξ³ in each direction. They are in the space of the

@@ -4,8 +4,8 @@ use ancf_solver::equations::{State, Term};
 use nalgebra::Vector3;
 
 use super::element_forces::add_stiffness_product;
-use super::mesh::BeamMesh;
-use super::section_frames::normals_to;
+use crate::bodies::mesh::BeamMesh;
+use crate::bodies::section_frames::normals_to;
 use crate::kinematics::{FrameValues, VectorKind};
 use crate::rods::{Placement, RodLoads, RodPart, RodSection, StringEnd, TautString};
 

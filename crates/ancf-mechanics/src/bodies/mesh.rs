@@ -283,11 +283,6 @@ impl BeamMesh {
         (vector < self.reference.len()).then(|| (vector / kinds.len(), kinds[vector % kinds.len()]))
     }
 
-    /// Returns the directions r_x, r_y and r_z at an arc length in the reference state.
-    pub fn reference_axes(&self, s: f64) -> [Vector3<f64>; 3] {
-        self.axes(s).map(|axis| axis.reference())
-    }
-
     /// Returns the weights of the vectors of an element at ξ: in r, r_y or r_z, and in the directors.
     pub(crate) fn weights(&self, xi: f64) -> Vec<VectorWeights> {
         self.elements.weights(self.length, self.slope, xi)

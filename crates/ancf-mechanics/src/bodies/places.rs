@@ -55,6 +55,11 @@ impl BeamMesh {
         self.attachment(s).material_direction(direction)
     }
 
+    /// Returns the directions r_x, r_y and r_z at an arc length in the reference state.
+    pub fn reference_axes(&self, s: f64) -> [Vector3<f64>; 3] {
+        self.axes(s).map(|axis| axis.reference())
+    }
+
     /// Returns the directors r_x, r_y and r_z at an arc length.
     pub fn axes(&self, s: f64) -> [Marker; 3] {
         [0, 1, 2].map(|axis| {

@@ -397,8 +397,8 @@ class Prestrain(Part):
         Curvature without stress in the frame of the section, in addition to that of the reference shape:
         twist about x, bending about y and z; radians/length. Default: ``[0.0, 0.0, 0.0]``.
     curvature_end
-        Curvature at ``to``, radians/length. The curvature varies linearly from ``curvature`` at
-        ``from``. Constant by default.
+        Curvature at ``to``, radians/length. The curvature varies linearly from ``curvature`` at ``from``.
+        Constant by default.
     from_
         Start of the part, a node; the start of the axis by default.
     strain

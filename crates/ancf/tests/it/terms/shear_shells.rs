@@ -159,7 +159,8 @@ fn masses_of_rigid_motions_are_exact() {
         (Vector3::zeros(), Vector3::new(0.3, -0.8, 1.1)),
         (Vector3::new(0.2, 0.1, 0.4), Vector3::new(-1.0, 0.5, 0.2)),
     ] {
-        let rate = |k: usize| spin.cross(&reference[k]) + if k % 2 == 0 { v } else { Vector3::zeros() };
+        let rate =
+            |k: usize| spin.cross(&reference[k]) + if k.is_multiple_of(2) { v } else { Vector3::zeros() };
         let rates: Vec<f64> = (0..8).flat_map(|k| <[f64; 3]>::from(rate(k))).collect();
         let state = Local { v: &rates, ..local(&[0.0; 24]) };
         let [x, y, z]: [f64; 3] = spin.into();

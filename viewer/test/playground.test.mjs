@@ -6,7 +6,7 @@ import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { gzipSync } from "node:zlib";
 import axe from "axe-core";
-import { close, DESKTOP, launch, PHONE } from "./support/browser.mjs";
+import { close, DESKTOP, launch, PHONE, settle } from "./support/browser.mjs";
 import { ancf, modelNames, newFolder, root } from "./support/models.mjs";
 import {
   ended,
@@ -148,10 +148,17 @@ test("a run is shown while it proceeds, and can be stopped", async () => {
   await tab.close();
 });
 
+/** Box of a handle on the page, after it is drawn. */
+async function handleBox(viewer, selector) {
+  const handle = await viewer.waitForSelector(selector);
+  await viewer.waitForFunction((one) => document.querySelector(one)?.style.transform !== "", {}, selector);
+  await settle(viewer);
+  return handle.boundingBox();
+}
+
 /** Drags a handle by a distance in pixels, and waits for the end of the run. */
 async function drag(tab, viewer, selector, [dx, dy]) {
-  const handle = await viewer.waitForSelector(selector);
-  const box = await handle.boundingBox();
+  const box = await handleBox(viewer, selector);
   const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
   const before = await getText(tab);
   await tab.mouse.move(x, y);
@@ -218,8 +225,7 @@ test("a dragged force bends a beam the other way", async () => {
   assert.ok(up > 0.01, `${up}`);
   await tab.click("#drag");
   const viewer = await viewerOf(tab);
-  const arrow = await (await viewer.waitForSelector(".handle.force")).boundingBox();
-  const start = await (await viewer.waitForSelector(".handle.joint")).boundingBox();
+  const [arrow, start] = [await handleBox(viewer, ".handle.force"), await handleBox(viewer, ".handle.joint")];
   // Mirror the arrow of the force about the axis of the beam.
   await drag(tab, viewer, ".handle.force", [0, 2 * (start.y - arrow.y)]);
   const [force] = vectors(await getText(tab), "force");

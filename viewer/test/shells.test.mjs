@@ -98,7 +98,10 @@ test("the camera frames the plate in all its positions", async () => {
 });
 
 test("a grid without some of its stations is reported", async () => {
-  const { tab } = await open(browser, plate({ body: { grid: { patches: 1, counts: [7, 3], parts: 4, half: 0.01 } } }));
+  const { tab } = await open(
+    browser,
+    plate({ body: { grid: { patches: 1, counts: [7, 3], parts: 4, half: 0.01 } } }),
+  );
   const text = await tab.evaluate(() => document.body.textContent);
   assert.match(text, /the grid of the body plate lacks stations/);
 });

@@ -35,11 +35,18 @@ fn compile() -> Result<PathBuf, String> {
     } else {
         (by_debian()?, root().join("target/debian"))
     };
-    command.args(arguments);
+    command.args(arguments).args(small());
     command.arg("--target-dir").arg(&folder).current_dir(root());
     command.env("CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUSTFLAGS", "-C target-feature=+simd128");
     run("module", &mut command)?;
     Ok(folder.join(TARGET).join("release/ancf_web.wasm"))
+}
+
+/// Optimises crates without hot loops for size: the module is transferred.
+fn small() -> impl Iterator<Item = String> {
+    let crates = ["ancf", "ancf-report", "ancf-surface", "serde_json", "toml", "toml_edit"];
+    let option = |name| format!("profile.release.package.{name}.opt-level=\"s\"");
+    crates.into_iter().flat_map(move |name| ["--config".to_owned(), option(name)])
 }
 
 /// Installs the target by rustup, if possible.

@@ -90,13 +90,36 @@ impl fmt::Debug for MeshParameters<'_> {
 }
 
 impl BeamMesh {
+    /// Creates the mesh of elements with their reference vectors, whose section frames have equal weights, without prescribed strains.
+    fn new(
+        parameters: &MeshParameters<'_>,
+        nodes: &[ReferenceNode],
+        reference: Vec<Vector3<f64>>,
+        elements: Arc<dyn ElementList>,
+        elasticity: StressLaw,
+    ) -> Self {
+        Self {
+            first: parameters.first,
+            length: parameters.length,
+            slope: parameters.slope,
+            elements,
+            origin: parameters.origin,
+            reference,
+            lame: parameters.medium.lame,
+            elasticity,
+            up: nodes[0].frame[1],
+            frame_weights: Vec::new(),
+            prestrains: Prestrains::default(),
+        }
+    }
+
     /// Creates two-node elements between consecutive nodes.
     pub fn two_node(
         parameters: &MeshParameters<'_>,
         nodes: &[ReferenceNode],
         formulation: TwoNodeLaw,
     ) -> Self {
-        let MeshParameters { first, origin, length, slope, .. } = *parameters;
+        let MeshParameters { first, length, slope, .. } = *parameters;
         let shape = BeamShape { length, slope };
         let reference = nodes.iter().flat_map(|ReferenceNode { position, frame: [x, y, z] }| {
             [*position, x * slope, y * slope, z * slope]
@@ -109,7 +132,6 @@ impl BeamMesh {
             let first = first + 12 * k;
             Beam24::new(first..first + 24, frame, profile)
         });
-        let lame = parameters.medium.lame;
         let elasticity = match formulation {
             TwoNodeLaw::Continuum if parameters.medium.neo_hookean => StressLaw::NeoHookean,
             TwoNodeLaw::Continuum => StressLaw::Continuum,
@@ -117,30 +139,16 @@ impl BeamMesh {
             TwoNodeLaw::Linked => StressLaw::Rod { linked: true },
         };
         let elements = Arc::new(elements.collect::<Vec<_>>());
-        let up = nodes[0].frame[1];
         let frame_weights = match formulation {
             TwoNodeLaw::Continuum => parameters.frame_weights(nodes.len()),
             TwoNodeLaw::Enhanced | TwoNodeLaw::Linked => Vec::new(),
         };
-        let prestrains = Prestrains::default();
-        Self {
-            first,
-            length,
-            slope,
-            elements,
-            origin,
-            reference,
-            lame,
-            elasticity,
-            up,
-            frame_weights,
-            prestrains,
-        }
+        Self { frame_weights, ..Self::new(parameters, nodes, reference, elements, elasticity) }
     }
 
     /// Creates three-node elements on nodes 0 1 2, 2 3 4, and so on.
     pub fn three_node(parameters: &MeshParameters<'_>, nodes: &[ReferenceNode]) -> Self {
-        let MeshParameters { first, origin, length, slope, .. } = *parameters;
+        let MeshParameters { first, length, slope, .. } = *parameters;
         let shape = QuadraticShape { length, slope };
         let reference = nodes
             .iter()
@@ -153,28 +161,14 @@ impl BeamMesh {
             let first = first + 18 * k;
             Beam27::new(first..first + 27, frame, profile)
         });
-        let (lame, elasticity) = (parameters.medium.lame, StressLaw::Rod { linked: false });
         let elements = Arc::new(elements.collect::<Vec<_>>());
-        let (up, frame_weights) = (nodes[0].frame[1], Vec::new());
-        let prestrains = Prestrains::default();
-        Self {
-            first,
-            length,
-            slope,
-            elements,
-            origin,
-            reference,
-            lame,
-            elasticity,
-            up,
-            frame_weights,
-            prestrains,
-        }
+        let elasticity = StressLaw::Rod { linked: false };
+        Self::new(parameters, nodes, reference, elements, elasticity)
     }
 
     /// Creates cable elements between consecutive nodes of a straight line, integrated by [`CableRule::Lobatto`].
     pub fn cable(parameters: &MeshParameters<'_>, nodes: &[ReferenceNode]) -> Self {
-        let MeshParameters { first, origin, length, slope, medium, section, .. } = *parameters;
+        let MeshParameters { first, length, slope, medium, section, .. } = *parameters;
         let BeamMaterial { lame, density, retardation, mass_damping, gravity, .. } = *medium;
         let (young, moments) = (lame.young(), section(0.0).moments);
         let section = CableSection {
@@ -195,21 +189,7 @@ impl BeamMesh {
             Cable12::new(std::array::from_fn(|i| first + i), node.frame[0], Arc::clone(&profile))
         });
         let elements = Arc::new(elements.collect::<Vec<_>>());
-        let (elasticity, up, frame_weights) = (StressLaw::Line, nodes[0].frame[1], Vec::new());
-        let prestrains = Prestrains::default();
-        Self {
-            first,
-            length,
-            slope,
-            elements,
-            origin,
-            reference,
-            lame,
-            elasticity,
-            up,
-            frame_weights,
-            prestrains,
-        }
+        Self::new(parameters, nodes, reference, elements, StressLaw::Line)
     }
 
     /// Returns true if the body has cross-sections with the directions r_y and r_z. Cables have none.

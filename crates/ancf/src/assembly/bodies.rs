@@ -24,23 +24,25 @@ impl IndexedModel<'_> {
     /// Adds the strains that loads prescribe to the bodies.
     pub(super) fn prestrained(
         &self,
-        mut bodies: Vec<(String, BodyTerms)>,
+        bodies: Vec<(String, BodyTerms)>,
         time_mode: TimeMode,
     ) -> Vec<(String, BodyTerms)> {
-        for (body, (name, terms)) in self.bodies.iter().zip(&mut bodies) {
+        let of_body = |(body, (name, terms)): (&Body, (String, BodyTerms))| {
             let source = |load: &Load| {
                 let Load::Prestrain(load) = load else { return None };
-                let ends = [rigidity(body, 0.0, self)?, rigidity(body, 1.0, self)?];
-                (load.body == *name).then(|| load.source(body, ends, time_mode.function(&load.time)))
+                if load.body != name {
+                    return None;
+                }
+                Some(load.source(body, rigidity(body, 0.0, self)?, time_mode.function(&load.time)))
             };
             let sources: Vec<_> = self.loads.iter().filter_map(source).collect();
-            if let BodyTerms::Flexible(mesh) = terms
-                && !sources.is_empty()
-            {
-                *mesh = mesh.clone().with_prestrains(sources);
-            }
-        }
-        bodies
+            let terms = match terms {
+                BodyTerms::Flexible(mesh) => BodyTerms::Flexible(mesh.with_prestrains(sources)),
+                other => other,
+            };
+            (name, terms)
+        };
+        self.bodies.iter().zip(bodies).map(of_body).collect()
     }
 
     fn body(&self, body: &Body, first: [usize; 2]) -> BodyTerms {

@@ -106,15 +106,15 @@ impl Prestrain {
         keys.into_iter().find(|(_, curvature)| *curvature != [0.0; 3]).map(|(key, _)| key)
     }
 
-    /// Prescribed strains of the elements of a body. `rigidities` are EA at both ends of the part.
-    pub(crate) fn source(&self, body: &Body, [first, last]: [f64; 2], function: Function) -> MeshPrestrain {
+    /// Prescribed strains of the elements of a body. `rigidity` is EA, which is constant along a body with a tension.
+    pub(crate) fn source(&self, body: &Body, rigidity: f64, function: Function) -> MeshPrestrain {
         let span = self.part().span(body);
         let strains = [self.strain, self.strain_end.unwrap_or(self.strain)];
         let curvatures = [self.curvature, self.curvature_end.unwrap_or(self.curvature)];
-        let tensions = [first, last].map(|rigidity| stretched(body, self.tension / rigidity));
+        let tension = stretched(body, self.tension / rigidity);
         MeshPrestrain {
             ends: span.ends,
-            strain: std::array::from_fn(|k| strains[k] + tensions[k]),
+            strain: strains.map(|strain| strain + tension),
             curvature: curvatures.map(Vector3::from),
             function,
         }

@@ -56,7 +56,7 @@ impl LoadKind for Prestrain {
         "prestrain"
     }
 
-    /// Adds nothing: prescribed strains are part of the elements ([`source`](Self::source)).
+    /// Adds nothing: prescribed strains are part of the elements (the `source` method).
     fn build(&self, _builder: &mut LoadBuilder<'_>) {}
 
     fn bodies(&self) -> Vec<(String, &str)> {

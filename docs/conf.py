@@ -3,6 +3,7 @@
 import ast
 import base64
 import inspect
+import json
 import os
 import re
 import shutil
@@ -80,6 +81,8 @@ def read(app: "Sphinx", name: str, source: list[str]) -> None:
 def opened(text: str, playground: str) -> str:
     """Add links that open models of the gallery and complete model files of the text in the playground."""
 
+    examples = {example["name"] for example in json.loads((PLAYGROUND / "examples.json").read_text("utf-8"))}
+
     def link(fragment: str) -> str:
         return f'<a class="playground" href="{playground}#{fragment}">open in the playground</a>'
 
@@ -93,7 +96,11 @@ def opened(text: str, playground: str) -> str:
 
     text = re.sub(
         r"\[`(\w+)\.toml`\]\([./]*models/\w+\.toml\)",
-        lambda found: f"{found.group()} ({link('example=' + found.group(1))})",
+        lambda found: (
+            f"{found.group()} ({link('example=' + found.group(1))})"
+            if found.group(1) in examples
+            else found.group()
+        ),
         text,
     )
     return re.sub(r"^```toml\n(.*?)^```\n", with_model, text, flags=re.MULTILINE | re.DOTALL)

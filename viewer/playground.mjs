@@ -37,7 +37,9 @@ const examples = readdirSync(join(root, "models"))
     const words = basename(name, ".toml").replaceAll("_", " ");
     const title = text.match(/^title\s*=\s*"([^"]+)"/m)?.[1] ?? words[0].toUpperCase() + words.slice(1);
     return { name: basename(name, ".toml"), title, text };
-  });
+  })
+  // The page has no files beside the text of a model.
+  .filter(({ text }) => !text.includes('.msh"'));
 const first = (example) => (example.name === "robot_arm" ? 0 : 1);
 examples.sort((a, b) => first(a) - first(b) || a.title.localeCompare(b.title));
 writeFileSync(join(out, "examples.json"), JSON.stringify(examples));

@@ -20,6 +20,7 @@ const SPATIAL = [
   "annulus",
   "arc",
   "banner",
+  "bracket",
   "column",
   "hanging_rope",
   "roof",

@@ -264,6 +264,7 @@ fn type_of(schema: &Json, of: &Json) -> Vec<String> {
             let items = joined(&types(schema, &of["items"]));
             match (of["minItems"].as_u64(), of["maxItems"].as_u64()) {
                 (Some(min), Some(max)) if min == max => format!("[{items}; {min}]"),
+                (Some(min), Some(max)) => format!("[{items}; {min} to {max}]"),
                 _ => format!("[{items}, ..]"),
             }
         }
@@ -273,10 +274,13 @@ fn type_of(schema: &Json, of: &Json) -> Vec<String> {
         "object" => {
             let required: Vec<_> =
                 of["required"].as_array().into_iter().flatten().filter_map(Json::as_str).collect();
-            format!(
-                "table with {}",
-                required.iter().map(|key| format!("`{key}`")).collect::<Vec<_>>().join(", ")
-            )
+            let quoted = |keys: &[&str]| keys.iter().map(|key| format!("`{key}`")).collect::<Vec<_>>();
+            let optional: Vec<_> =
+                of["properties"].as_object().into_iter().flatten().map(|(key, _)| key.as_str()).collect();
+            match &required[..] {
+                [] => format!("table with {}", joined(&quoted(&optional))),
+                keys => format!("table with {}", quoted(keys).join(", ")),
+            }
         }
         kind => kind.into(),
     }]

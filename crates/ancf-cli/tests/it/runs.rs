@@ -23,12 +23,15 @@ fn the_cantilever_runs_as_the_readme_says() {
 /// Every model in `models/` is valid and runs. Motions run for 0.1 s; their physics is tested elsewhere.
 #[test]
 fn every_model_runs() {
-    for entry in fs::read_dir(root().join("models")).unwrap() {
-        let path = entry.unwrap().path();
-        if path.is_dir() {
-            continue;
-        }
+    let entries = fs::read_dir(root().join("models")).unwrap().map(|entry| entry.unwrap().path());
+    let (models, others): (Vec<_>, Vec<_>) = entries
+        .filter(|path| path.is_file())
+        .partition(|path| path.extension().is_some_and(|ending| ending == "toml"));
+    for path in models {
         let (folder, text) = (RunFolder::new(), fs::read_to_string(&path).unwrap());
+        for mesh in &others {
+            fs::copy(mesh, folder.0.path().join(mesh.file_name().unwrap())).unwrap();
+        }
         let duration = text.lines().find(|line| line.starts_with("duration"));
         let text = duration.map_or(text.clone(), |line| text.replace(line, "duration = 0.1"));
         let short = folder.0.path().join("short.toml");

@@ -1,4 +1,4 @@
-//! Shells: thin ones of bicubic Hermite elements with Kirchhoff-Love strains, and shear-deformable ones of four-node elements.
+//! Shells: thin ones of bicubic Hermite elements with Kirchhoff-Love strains, and shear-deformable ones of elements with three or four nodes.
 
 mod element;
 mod hermite;
@@ -21,8 +21,8 @@ pub use mesh::{ShellEdge, ShellMesh};
 pub use pressure::SurfacePressure;
 pub use profile::{ShellMedium, ShellProfile};
 pub use shear::{
-    NODES, NearestPoint, QUAD_VECTORS, QuadPressure, QuadTopology, ShearMedium, ShearProfile, ShearShellMesh,
-    ShearStressField, Shell24, ShellPlace, SurfacePlace, TopologyDefect, directors, stress_axis,
+    Face, FacePressure, MeshTopology, NearestPoint, ShearMedium, ShearShellMesh, ShearStressField,
+    ShellPlace, SurfacePlace, TopologyDefect, directors, stress_axis,
 };
 pub use stress::StressField;
 pub use surface_stress::{LAYERS, SurfaceStress};

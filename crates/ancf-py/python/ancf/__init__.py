@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from ancf import _ancf, model
 from ancf.analysis import buckling, check, load, modes, path, run, scaled, schema, statics
 from ancf.errors import AnalysisError, AnalysisWarning, Fault, ModelError
+from ancf.meshes import grid_mesh, mesh_from_meshio
 from ancf.model import *  # noqa: F403
 from ancf.names import unknown as _unknown
 from ancf.record.instant import Instant
@@ -34,7 +35,9 @@ __all__ = [
     "__version__",
     "buckling",
     "check",
+    "grid_mesh",
     "load",
+    "mesh_from_meshio",
     "modes",
     "path",
     "run",

@@ -46,7 +46,7 @@ impl BodyKind {
     }
 }
 
-/// Grid of the stations of a shell. A mesh of quadrilaterals has a grid for each element, one after another.
+/// Grid of the stations of a shell. A mesh has a grid for each element, one after another.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SurfaceGrid {
     /// Number of grids: 1 for a patch, the number of elements for a mesh.

@@ -2,7 +2,7 @@
 
 use ancf::Model;
 use ancf::mechanics::functions::Function;
-use ancf::model::{Analysis, At, Body, EdgeName, Joint, Load, ShearShell};
+use ancf::model::{Analysis, At, Body, EdgeName, ElementNodes, Joint, Load, ShearShell};
 use ancf::solver::equations::State;
 use nalgebra::{Matrix3, Vector3};
 
@@ -46,8 +46,9 @@ fn mesh_of<'m>(model: &'m Model, name: &str) -> Option<&'m ShearShell> {
 fn node_station(grid: &SurfaceGrid, shell: &ShearShell, node: usize) -> Option<usize> {
     let [n, m] = grid.counts;
     let corners = [0, n - 1, n * m - 1, (m - 1) * n];
-    let of = |(k, element): (usize, &[u32; 4])| {
-        let corner = element.iter().position(|own| *own as usize == node)?;
+    let of = |(k, element): (usize, &ElementNodes)| {
+        // The third node of a triangle is the whole upper side of its grid.
+        let corner = element.nodes().iter().position(|own| *own as usize == node)?;
         Some(k * n * m + corners[corner])
     };
     shell.mesh.elements.iter().enumerate().find_map(of)

@@ -15,7 +15,7 @@ fn models() -> Vec<(String, String)> {
         for entry in fs::read_dir(file(folder)).unwrap() {
             let path = entry.unwrap().path();
             if path.extension().is_some_and(|end| end == "toml") {
-                found.push((path.display().to_string(), fs::read_to_string(&path).unwrap()));
+                found.push((path.display().to_string(), Model::read_text(&path).unwrap()));
             }
         }
     }

@@ -19,7 +19,7 @@ pub use motion_equations::EquationsOfMotion;
 pub use scatter::Scatter;
 pub use stiffness_products::StiffnessProducts;
 pub use system::System;
-pub use term_sums::Rotation;
+pub use term_sums::{LocalState, Rotation};
 pub use terms::{
     Energy, Inadmissibility, LOCAL, Level, Local, LocalMatrix, LocalStep, Power, ProductColumn, State,
     StepStates, Term, Weights, correct_work, discrete_residual, load_power, middle_residual,

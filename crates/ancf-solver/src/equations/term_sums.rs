@@ -76,7 +76,8 @@ pub(super) fn powers<'a>(terms: impl Iterator<Item = &'a Arc<dyn Term>>, s: &Sta
 }
 
 /// State variables of one term, gathered from a global state.
-pub(super) struct LocalState {
+#[derive(Clone, Debug)]
+pub struct LocalState {
     q: [f64; LOCAL],
     v: [f64; LOCAL],
     a: [f64; LOCAL],
@@ -84,10 +85,11 @@ pub(super) struct LocalState {
 }
 
 impl LocalState {
-    pub(super) const EMPTY: Self =
-        Self { q: [0.0; LOCAL], v: [0.0; LOCAL], a: [0.0; LOCAL], lambda: [0.0; LOCAL] };
+    /// State of no term.
+    pub const EMPTY: Self = Self { q: [0.0; LOCAL], v: [0.0; LOCAL], a: [0.0; LOCAL], lambda: [0.0; LOCAL] };
 
-    pub(super) fn gather<'a>(&'a mut self, s: &State, term: &dyn Term) -> Local<'a> {
+    /// Gathers the state variables of a term.
+    pub fn gather<'a>(&'a mut self, s: &State, term: &dyn Term) -> Local<'a> {
         let (coordinates, multipliers) = (term.coordinates(), term.multipliers());
         for (i, &c) in coordinates.iter().enumerate() {
             self.q[i] = s.q[c];

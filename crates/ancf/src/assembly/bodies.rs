@@ -83,7 +83,7 @@ impl IndexedModel<'_> {
             mass_damping: material.damping.mass,
             gravity: Vector3::from(self.gravity),
         };
-        ShearShellMesh::new(first, &shell.points(), &directors, shell.quads(), &medium)
+        ShearShellMesh::new(first, &shell.points(), &directors, shell.faces(), &medium)
     }
 
     fn mesh(&self, body: &Body, first: usize) -> BeamMesh {

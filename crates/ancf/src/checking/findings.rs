@@ -6,8 +6,8 @@ use std::collections::hash_map::Entry;
 use crate::errors::{Finding, finding, number, quoted};
 use crate::joints::End;
 use crate::model::{
-    At, Body, EdgePlace, IndexedModel, NamedPosition, NodePlace, ON_AXIS, Place, PointPlace, ShearShell,
-    bodies_of, edge_of_shell, joints_of, loads_of, named,
+    At, Body, EdgePlace, ElementNodes, IndexedModel, NamedPosition, NodePlace, ON_AXIS, Place, PointPlace,
+    ShearShell, bodies_of, edge_of_shell, joints_of, loads_of, named,
 };
 use crate::schema::unknown;
 
@@ -112,7 +112,7 @@ pub(crate) fn rule_of_place(model: &IndexedModel<'_>, path: String, place: &Plac
 fn rule_of_mesh_place(path: String, shell: &ShearShell, at: &At, owner: String) -> Option<Finding> {
     let key = format!("{path}.at");
     let nodes = shell.mesh.nodes.len() as u32;
-    if shell.mesh.elements.iter().flatten().any(|node| *node >= nodes) {
+    if shell.mesh.elements.iter().flat_map(ElementNodes::nodes).any(|node| *node >= nodes) {
         return None;
     }
     let error = match at {

@@ -20,9 +20,9 @@ pub use analyses::{
     Output, Path, Probe, Quantity, Scheme, Sense, Start, Statics, Step, Stop, Unstable,
 };
 pub use bodies::{
-    At, Beam, Body, BodySurface, Cable, Capability, DisplayShape, EdgeName, EdgePlace, Formulation,
-    InitialMotion, Layer, Layup, MeshGroup, NamedPosition, NodePlace, Place, PointMass, PointPlace, QuadMesh,
-    Rigid, Shape, ShearShell, Shell, ShellSurface, Slopes,
+    At, Beam, Body, BodySurface, Cable, Capability, DisplayShape, EdgeName, EdgePlace, ElementMesh,
+    ElementNodes, Formulation, InitialMotion, Layer, Layup, MeshGroup, NamedPosition, NodePlace, Place,
+    PointMass, PointPlace, Rigid, Shape, ShearShell, Shell, ShellSurface, Slopes,
 };
 pub use contacts::{Contact, ContactSurface, Cylinder, ObstacleKind, Plane, Sphere};
 pub use functions::{Input, JointLaw, LawKind, LawUse, TimeFunction, Varying};

@@ -152,13 +152,18 @@ fn check_data_by(mut data: Value, rules: Rules) -> (Option<Model>, Vec<Finding>)
     let violations = model.as_ref().map(if is_valid { rules } else { broken_rules }).unwrap_or_default();
     findings = findings.into_iter().map(with_memory).collect();
     findings.extend(violations.into_iter().map(|finding| in_file(finding, &check)).filter(|finding| {
-        !check.has_replaced(&finding.error.path)
-            && !finding.rests_on.iter().any(|path| check.has_replaced(path))
+        let paths = finding.rests_on.iter().chain([&finding.error.path]);
+        !paths.into_iter().any(|path| check.has_replaced(path) || is_in_unknown_form(path, &check))
     }));
     if let (Err(error), true) = (&model, findings.is_empty()) {
         findings.push(ModelError::new("", error.to_string(), "a model").into());
     }
     (model.ok(), findings)
+}
+
+/// True for a value in a table with an unknown `kind`, in place of which another form was read.
+fn is_in_unknown_form(path: &str, check: &SchemaCheck) -> bool {
+    path.match_indices('.').any(|(end, _)| check.has_replaced(&format!("{}.kind", &path[..end])))
 }
 
 /// Finding with its paths as in the file.

@@ -6,11 +6,11 @@ use std::str::SplitWhitespace;
 /// First words of a mesh file of Gmsh.
 pub(super) const START: &str = "$MeshFormat";
 
-/// Quadrilaterals of a mesh file with their nodes, and its physical groups.
+/// Quadrilaterals and triangles of a mesh file with their nodes, and its physical groups.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct GmshMesh {
     pub(super) nodes: Vec<[f64; 3]>,
-    pub(super) elements: Vec<[usize; 4]>,
+    pub(super) elements: Vec<Vec<usize>>,
     pub(super) groups: BTreeMap<String, GmshGroup>,
 }
 
@@ -167,6 +167,7 @@ fn elements_4(text: &str) -> Result<Vec<FileElement>, String> {
 
 /// Types of elements that are supported.
 const LINE: u32 = 1;
+const TRIANGLE: u32 = 2;
 const QUADRILATERAL: u32 = 3;
 const POINT: u32 = 15;
 
@@ -174,19 +175,19 @@ const POINT: u32 = 15;
 fn size(tag: u64, kind: u32) -> Result<usize, String> {
     let name = match kind {
         LINE => return Ok(2),
+        TRIANGLE => return Ok(3),
         QUADRILATERAL => return Ok(4),
         POINT => return Ok(1),
-        2 => "a triangle",
         8 | 9 | 10 | 16 => "of second order",
         4..=7 => "a solid",
-        _ => "of another type than point, line and quadrilateral",
+        _ => "of another type than point, line, triangle and quadrilateral",
     };
     Err(format!(
-        "element {tag}, which is {name}; only quadrilaterals of four nodes are supported (in Gmsh: Mesh.RecombineAll = 1, Mesh.ElementOrder = 1)"
+        "element {tag}, which is {name}; only quadrilaterals of four and triangles of three nodes are supported (in Gmsh: Mesh.ElementOrder = 1)"
     ))
 }
 
-/// Creates the mesh of the quadrilaterals. Nodes of none are left out, since they have no effect.
+/// Creates the mesh of the quadrilaterals and triangles. Nodes of none are left out, since they have no effect.
 fn mesh(
     nodes: &[(u64, [f64; 3])],
     elements: &[FileElement],
@@ -197,27 +198,27 @@ fn mesh(
         return Err("a number of a node a second time".into());
     }
     let (mut mesh, mut numbers) = (GmshMesh::default(), HashMap::<u64, usize>::new());
-    for element in elements.iter().filter(|element| element.kind == QUADRILATERAL) {
-        let mut own = [0; 4];
-        for (own, tag) in own.iter_mut().zip(&element.nodes) {
+    for element in elements.iter().filter(|element| is_face(element)) {
+        let mut own = Vec::with_capacity(element.nodes.len());
+        for tag in &element.nodes {
             let place = places.get(tag).ok_or_else(|| missing(element.tag, *tag))?;
-            *own = *numbers.entry(*tag).or_insert_with(|| {
+            own.push(*numbers.entry(*tag).or_insert_with(|| {
                 mesh.nodes.push(*place);
                 mesh.nodes.len() - 1
-            });
+            }));
         }
         mesh.elements.push(own);
     }
     if mesh.elements.is_empty() {
-        return Err("no quadrilaterals (in Gmsh: Mesh.RecombineAll = 1)".into());
+        return Err("no quadrilaterals and no triangles".into());
     }
     let mut members = BTreeMap::<(u32, i64), Vec<Vec<usize>>>::new();
-    let mut quadrilateral = 0;
+    let mut face = 0;
     for element in elements {
         let (dimension, own) = match element.kind {
-            QUADRILATERAL => {
-                quadrilateral += 1;
-                (2, vec![quadrilateral - 1])
+            TRIANGLE | QUADRILATERAL => {
+                face += 1;
+                (2, vec![face - 1])
             }
             kind => {
                 let own = element.nodes.iter().map(|tag| numbers.get(tag).copied());
@@ -226,7 +227,7 @@ fn mesh(
                         continue;
                     }
                     return Err(format!(
-                        "element {} of a group with a node of no quadrilateral",
+                        "element {} of a group with a node of no quadrilateral and no triangle",
                         element.tag
                     ));
                 };
@@ -250,6 +251,11 @@ fn mesh(
         }
     }
     Ok(mesh)
+}
+
+/// True for a quadrilateral or a triangle.
+fn is_face(element: &FileElement) -> bool {
+    [TRIANGLE, QUADRILATERAL].contains(&element.kind)
 }
 
 fn missing(element: u64, node: u64) -> String {
@@ -323,6 +329,17 @@ mod tests {
         assert_eq!(parse(&version_4().replace('\n', "\r\n")).unwrap(), mesh);
     }
 
+    /// A quadrilateral may be divided into two triangles; groups of elements count both.
+    #[test]
+    fn triangles_are_elements() {
+        let divided = version_2()
+            .replace("$Elements\n4\n", "$Elements\n5\n")
+            .replace("4 3 2 3 1 2 3 6 5", "4 2 2 3 1 2 3 6\n5 2 2 3 1 2 6 5");
+        let mesh = parse(&divided).unwrap();
+        assert_eq!(mesh.elements, [vec![0, 1, 2, 3], vec![1, 4, 5], vec![1, 5, 2]]);
+        assert_eq!(mesh.groups["plate"], GmshGroup::Elements(vec![0, 1, 2]));
+    }
+
     #[test]
     fn segments_join_to_chains() {
         let pairs = |all: &[[usize; 2]]| all.iter().map(|pair| pair.to_vec()).collect::<Vec<_>>();
@@ -336,7 +353,7 @@ mod tests {
         for (from, to, found) in [
             ("2.2 0 8", "2.2 1 8", "binary"),
             ("2.2 0 8", "3 0 8", "version 3"),
-            ("3 3 2 3 1 1 2 5 4", "3 2 2 3 1 1 2 5", "element 3, which is a triangle"),
+            ("3 3 2 3 1 1 2 5 4", "3 9 2 3 1 1 2 5 4 6 9", "element 3, which is of second order"),
             ("3 3 2 3 1 1 2 5 4", "3 3 2 3 1 1 2 5 8", "node 8"),
             ("$EndElements", "", "no section $Elements"),
             ("4 3 2 3 1 2 3 6 5", "4 3 2 3 1 2 3 6", "too early"),

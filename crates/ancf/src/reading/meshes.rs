@@ -126,7 +126,7 @@ pub(super) fn read_meshes(data: &mut Value) -> Vec<Finding> {
                 mesh.extend(lists(read, scale));
             }
             Err(found) => {
-                let expected = "a mesh of quadrilaterals, of version 2.2 or 4.1";
+                let expected = "a mesh of quadrilaterals and triangles, of version 2.2 or 4.1";
                 findings.push(finding(format!("{path}.file"), found, expected));
             }
         }
@@ -141,7 +141,7 @@ fn lists(mesh: GmshMesh, scale: f64) -> Table {
         .nodes
         .into_iter()
         .map(|node| Value::Array(node.iter().map(|x| Value::Float(x * scale)).collect()));
-    let elements = mesh.elements.into_iter().map(|element| numbers(element.to_vec()));
+    let elements = mesh.elements.into_iter().map(numbers);
     let group = |group: GmshGroup| {
         let (key, value) = match group {
             GmshGroup::Nodes(nodes) => ("nodes", numbers(nodes)),

@@ -226,10 +226,9 @@ fn stations_of(body: &BodyTerms, parts: u32) -> Vec<StationPlace> {
         }
         BodyTerms::ShearShell(mesh) => {
             let at = |k: u32| f64::from(k) / f64::from(parts);
-            let places = (0..mesh.elements().len()).flat_map(|element| {
-                let row =
-                    move |j: u32| (0..=parts).map(move |i| SurfacePlace { element, at: [at(i), at(j)] });
-                (0..=parts).flat_map(row)
+            let places = mesh.faces().iter().enumerate().flat_map(|(element, face)| {
+                let place = move |i, j| SurfacePlace { element, at: face.grid_point([at(i), at(j)]) };
+                (0..=parts).flat_map(move |j| (0..=parts).map(move |i| place(i, j)))
             });
             places.map(|place| (0.0, Some(ShellPlace::Element(place)), mesh.station(place))).collect()
         }

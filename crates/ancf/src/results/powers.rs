@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use ancf_solver::equations::{LOCAL, Local, State, Term};
+use ancf_solver::equations::{LOCAL, LocalState, State, Term};
 
 use super::column::Column;
 use crate::assembly::Assembly;
@@ -32,13 +32,8 @@ fn owners(assembly: &Assembly) -> impl Iterator<Item = (String, Range<usize>)> +
 }
 
 fn power(term: &dyn Term, s: &State) -> f64 {
-    let (coordinates, lambda) = (term.coordinates(), &s.lambda[term.multipliers()]);
-    let [mut q, mut v, mut a, mut r] = [[0.0; LOCAL]; 4];
-    for (i, &c) in coordinates.iter().enumerate() {
-        (q[i], v[i], a[i]) = (s.q[c], s.v[c], s.a[c]);
-    }
-    let n = coordinates.len();
-    let at = Local { q: &q[..n], v: &v[..n], a: &a[..n], lambda, t: s.t, load: s.load };
-    term.residual(&at, &mut r[..n + lambda.len()]);
-    -v[..n].iter().zip(r).map(|(v, r)| v * r).sum::<f64>()
+    let (mut gathered, mut r) = (LocalState::EMPTY, [0.0; LOCAL]);
+    let at = gathered.gather(s, term);
+    term.residual(&at, &mut r[..at.q.len() + at.lambda.len()]);
+    -at.v.iter().zip(r).map(|(v, r)| v * r).sum::<f64>()
 }

@@ -109,11 +109,19 @@ pub(super) fn on_sphere(radius: f64, longitude: f64, latitude: f64) -> [[f64; 3]
 }
 
 fn roof() -> Result<Findings, VerificationError> {
+    roof_of(&[4, 8, 16], |shell| shell)
+}
+
+/// Roof of changed grids of quadrilaterals.
+pub(super) fn roof_of(
+    meshes: &[usize],
+    changed: impl Fn(MeshModel) -> MeshModel,
+) -> Result<Findings, VerificationError> {
     let half = 40.0_f64.to_radians();
-    study(&[4, 8, 16], "deflection of the free edge", (0.3013, 1e-2), |n| {
-        let shell = MeshModel::grid([n, n], 0.25, isotropic([4.32e8, 0.0, 1.0]), |[u, v]| {
+    study(meshes, "deflection of the free edge", (0.3013, 1e-2), |n| {
+        let shell = changed(MeshModel::grid([n, n], 0.25, isotropic([4.32e8, 0.0, 1.0]), |[u, v]| {
             on_cylinder(25.0, half * u, 25.0 * v)
-        });
+        }));
         let model = format!(
             "gravity = [0, 0, {:e}]\n{shell}{}{}{}{}[analysis]\nkind = \"statics\"\n",
             -360.0 * SMALL,
@@ -182,12 +190,12 @@ fn cook() -> Result<Findings, VerificationError> {
 }
 
 /// Mesh of the patch test.
-fn patch_mesh() -> MeshModel {
+pub(super) fn patch_mesh() -> MeshModel {
     let corners = [[0.0, 0.0], [0.24, 0.0], [0.24, 0.12], [0.0, 0.12]];
     let inner = [[0.04, 0.02], [0.18, 0.03], [0.16, 0.08], [0.08, 0.08]];
     let nodes: Vec<[f64; 3]> = corners.iter().chain(&inner).map(|[x, y]| [*x, *y, 0.0]).collect();
-    let mut elements = vec![[4, 5, 6, 7]];
-    elements.extend((0..4).map(|k| [k, (k + 1) % 4, 4 + (k + 1) % 4, 4 + k]));
+    let mut elements = vec![vec![4, 5, 6, 7]];
+    elements.extend((0..4).map(|k| vec![k, (k + 1) % 4, 4 + (k + 1) % 4, 4 + k]));
     let mut groups = String::from("groups.edge = { edges = [[0, 1, 2, 3, 0]] }\n");
     for k in 0..8 {
         groups += &format!("groups.n{k} = {{ nodes = [{k}] }}\n");
@@ -205,6 +213,11 @@ fn patch_mesh() -> MeshModel {
 
 /// Statics under the nodal forces of uniform tractions on the outer edges, which are those of uniform stresses.
 fn patch() -> Result<Findings, VerificationError> {
+    patch_test(patch_mesh)
+}
+
+/// Patch test of a mesh with the nodes of [`patch_mesh`].
+pub(super) fn patch_test(mesh: impl Fn() -> MeshModel) -> Result<Findings, VerificationError> {
     let (mut found, mut curves) = (Findings::default(), Vec::new());
     let probes: String = (0..8)
         .map(|k| probe(&format!("n{k}"), &format!("n{k}")) + "record = [\"motion\", \"resultants\"]\n")
@@ -214,7 +227,7 @@ fn patch() -> Result<Findings, VerificationError> {
         ("edge_force", "force", [4.0 / 3.0, 4.0 / 3.0, 0.4], 1e-8),
         ("edge_moment", "moment", [1.0 / 9.0e6, 1.0 / 9.0e6, 1.0 / 3.0e7], 1e-5),
     ] {
-        let mut shell = patch_mesh();
+        let mut shell = mesh();
         let mut loads = String::new();
         for ([a, b], [x, y]) in sides {
             shell.groups += &format!("groups.side{a} = {{ edges = [[{a}, {b}]] }}\n");

@@ -5,7 +5,7 @@ use std::fmt::{self, Write};
 /// Shear-deformable shell of a model.
 pub(super) struct MeshModel {
     pub(super) nodes: Vec<[f64; 3]>,
-    pub(super) elements: Vec<[usize; 4]>,
+    pub(super) elements: Vec<Vec<usize>>,
     pub(super) directors: Vec<[f64; 3]>,
     /// Groups, as in a model file.
     pub(super) groups: String,
@@ -34,7 +34,8 @@ impl MeshModel {
         let places = (0..=m).flat_map(|j| (0..=n).map(move |i| [i as f64 / n as f64, j as f64 / m as f64]));
         let (nodes, directors) =
             places.map(|at| map(at).into()).map(|(r, d): ([f64; 3], [f64; 3])| (r, d)).unzip();
-        let element = |i: usize, j: usize| [node(i, j), node(i + 1, j), node(i + 1, j + 1), node(i, j + 1)];
+        let element =
+            |i: usize, j: usize| vec![node(i, j), node(i + 1, j), node(i + 1, j + 1), node(i, j + 1)];
         let elements = (0..m).flat_map(|j| (0..n).map(move |i| (i, j))).map(|(i, j)| element(i, j)).collect();
         let row = |j: usize| (0..=n).map(|i| node(i, j)).collect::<Vec<_>>();
         let column = |i: usize| (0..=m).map(|j| node(i, j)).collect::<Vec<_>>();
@@ -54,6 +55,16 @@ impl MeshModel {
             let _ = writeln!(groups, "groups.{name} = {{ nodes = [{node}] }}");
         }
         Self { nodes, elements, directors, groups, thickness, keys: String::new(), material }
+    }
+
+    /// Divides chosen quadrilaterals into two triangles.
+    pub(super) fn divided(self, is_divided: impl Fn(usize) -> bool) -> Self {
+        let parts = |(k, element): (usize, Vec<usize>)| match element[..] {
+            [a, b, c, d] if is_divided(k) => vec![vec![a, b, c], vec![a, c, d]],
+            _ => vec![element],
+        };
+        let elements = self.elements.into_iter().enumerate().flat_map(parts).collect();
+        Self { elements, ..self }
     }
 
     /// Flat rectangular plate in the plane x, y.

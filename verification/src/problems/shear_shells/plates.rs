@@ -35,9 +35,9 @@ pub(super) const PROBLEMS: &[Problem] = &[
 ];
 
 /// Small displacements.
-const SMALL: f64 = 1e-6;
+pub(super) const SMALL: f64 = 1e-6;
 
-fn pressure(size: f64) -> String {
+pub(super) fn pressure(size: f64) -> String {
     format!("[[loads]]\nkind = \"surface_force\"\nbody = \"s\"\nforce = [0, 0, {size:e}]\n")
 }
 

@@ -1,6 +1,6 @@
 //! Forces at the ends of an element and loads between them.
 
-use ancf_solver::equations::{LOCAL, Local, State, Term};
+use ancf_solver::equations::{LOCAL, Local, LocalState, State, Term};
 use nalgebra::Vector3;
 
 use crate::bodies::mesh::BeamMesh;
@@ -164,9 +164,9 @@ impl BeamMesh {
     /// Returns the body forces less the inertia forces of an element with the residual `own` on its coordinates.
     fn body_force_rows(&self, state: &State, element: usize, own: &[f64; LOCAL]) -> [f64; LOCAL] {
         let term = self.term(element);
-        let (gathered, mut rows) = (Gathered::new(term, state), [0.0; LOCAL]);
+        let (mut gathered, mut rows) = (LocalState::EMPTY, [0.0; LOCAL]);
         let n = term.coordinates().len();
-        let free = Local { a: &[0.0; LOCAL][..n], load: 0.0, ..gathered.at(term, state) };
+        let free = Local { a: &[0.0; LOCAL][..n], load: 0.0, ..gathered.gather(state, term) };
         term.residual(&free, &mut rows[..n]);
         rows.iter_mut().zip(own).for_each(|(row, own)| *row -= own);
         rows
@@ -240,30 +240,11 @@ impl ElementRows {
     }
 }
 
-/// State variables of a term, gathered from a global state.
-struct Gathered([[f64; LOCAL]; 3]);
-
-impl Gathered {
-    fn new(term: &dyn Term, state: &State) -> Self {
-        let [mut q, mut v, mut a] = [[0.0; LOCAL]; 3];
-        for (i, &c) in term.coordinates().iter().enumerate() {
-            (q[i], v[i], a[i]) = (state.q[c], state.v[c], state.a[c]);
-        }
-        Self([q, v, a])
-    }
-
-    fn at<'a>(&'a self, term: &dyn Term, state: &'a State) -> Local<'a> {
-        let (n, Self([q, v, a])) = (term.coordinates().len(), self);
-        let lambda = &state.lambda[term.multipliers()];
-        Local { q: &q[..n], v: &v[..n], a: &a[..n], lambda, t: state.t, load: state.load }
-    }
-}
-
 /// Evaluates the residual of a term in a global state.
 fn residual(term: &dyn Term, state: &State) -> [f64; LOCAL] {
-    let (gathered, mut r) = (Gathered::new(term, state), [0.0; LOCAL]);
-    let size = term.coordinates().len() + term.multipliers().len();
-    term.residual(&gathered.at(term, state), &mut r[..size]);
+    let (mut gathered, mut r) = (LocalState::EMPTY, [0.0; LOCAL]);
+    let at = gathered.gather(state, term);
+    term.residual(&at, &mut r[..at.q.len() + at.lambda.len()]);
     r
 }
 
@@ -280,14 +261,16 @@ pub(super) fn add_stiffness_product(
 ) {
     let (coordinates, multipliers) = (term.coordinates(), term.multipliers());
     let (n, size) = (coordinates.len(), coordinates.len() + multipliers.len());
-    let gathered = Gathered::new(term, state);
+    let mut gathered = LocalState::EMPTY;
+    let at = gathered.gather(state, term);
     let mut product = [0.0; LOCAL];
     for (factor, weight) in [(1.0, 8.0), (-1.0, -8.0), (2.0, -1.0), (-2.0, 1.0)] {
-        let (mut q, mut r) = (gathered.0[0], [0.0; LOCAL]);
+        let [mut q, mut r] = [[0.0; LOCAL]; 2];
+        q[..n].copy_from_slice(at.q);
         for (q, &c) in q.iter_mut().zip(coordinates) {
             *q += factor * step * c.checked_sub(first).and_then(|place| w.get(place)).unwrap_or(&0.0);
         }
-        term.residual(&Local { q: &q[..n], ..gathered.at(term, state) }, &mut r[..size]);
+        term.residual(&Local { q: &q[..n], ..at }, &mut r[..size]);
         product.iter_mut().zip(r).for_each(|(product, r)| *product += weight / (12.0 * step) * r);
     }
     let first_multiplier = state.q.len() + multipliers.start;

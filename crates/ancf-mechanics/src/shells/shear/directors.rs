@@ -2,8 +2,8 @@
 
 use nalgebra::{DMatrix, Matrix3, Vector3};
 
-use super::forms::NODES;
-use super::topology::{QuadTopology, corner_normal, element_normal};
+use super::face::Face;
+use super::topology::MeshTopology;
 
 /// Singular values, relative to the largest one, below which the elements around a node have no extent in a direction.
 const FLAT: f64 = 1e-3;
@@ -13,28 +13,29 @@ const FLAT: f64 = 1e-3;
 /// The director of an inner node is the mean of the normals of the elements there, at the node, weighted by their angles. The
 /// director of a node on the boundary is extrapolated by a linear function of the place, which is fitted to the normals in the
 /// middle of the elements around the node and of their neighbours: a mean would have an error of the first order there.
-pub fn directors(nodes: &[Vector3<f64>], elements: &[[usize; NODES]]) -> Vec<Vector3<f64>> {
-    let topology = QuadTopology::new(nodes.len(), elements);
+pub fn directors(nodes: &[Vector3<f64>], elements: &[Face]) -> Vec<Vector3<f64>> {
+    let topology = MeshTopology::new(nodes.len(), elements);
     let boundary = topology.boundary(nodes.len());
-    let places = |k: usize| elements[k].map(|node| nodes[node]);
     let middles: Vec<[Vector3<f64>; 2]> = (0..elements.len())
         .map(|k| {
-            let x = places(k);
-            [x.iter().sum::<Vector3<f64>>() * 0.25, element_normal(&x)]
+            let x = elements[k].points(nodes);
+            [x.iter().sum::<Vector3<f64>>() / x.len() as f64, elements[k].normal(nodes)]
         })
         .collect();
     let of_node = |node: usize| {
         let own = topology.at_node(node);
         if !boundary[node] {
             let weighted = own.iter().map(|&k| {
-                let (x, corner) = (places(k), elements[k].iter().position(|n| *n == node).unwrap_or(0));
-                let [t, s] = [x[(corner + 1) % NODES] - x[corner], x[(corner + 3) % NODES] - x[corner]];
-                corner_normal(&x, corner) * t.cross(&s).norm().atan2(t.dot(&s))
+                let [t, s] = elements[k].corner_edges(elements[k].corner(node).unwrap_or(0), nodes);
+                t.cross(&s).normalize() * t.cross(&s).norm().atan2(t.dot(&s))
             });
             return weighted.sum::<Vector3<f64>>().normalize();
         }
-        let mut around: Vec<usize> =
-            own.iter().flat_map(|&k| elements[k]).flat_map(|n| topology.at_node(n).iter().copied()).collect();
+        let mut around: Vec<usize> = own
+            .iter()
+            .flat_map(|&k| elements[k].nodes())
+            .flat_map(|&n| topology.at_node(n).iter().copied())
+            .collect();
         around.sort_unstable();
         around.dedup();
         let samples: Vec<[Vector3<f64>; 2]> = around.iter().map(|&k| middles[k]).collect();

@@ -1,67 +1,72 @@
-//! Strains of a four-node shell element as quadratic forms of its nodal vectors.
+//! Strains of a shell element as quadratic forms of its nodal vectors.
 
 use nalgebra::{SMatrix, Vector3};
 
-/// Number of nodes of an element.
-pub const NODES: usize = 4;
-/// Number of nodal vectors of an element: r and d of each node.
-pub const QUAD_VECTORS: usize = 2 * NODES;
-/// Number of coordinates of an element.
-pub(crate) const COORDINATES: usize = 3 * QUAD_VECTORS;
-/// Number of integration points.
-pub(crate) const QUAD_POINTS: usize = 4;
-/// Number of strains of the surface: ε and κ, three components each, at the integration points.
-pub(crate) const SURFACE: usize = 6 * QUAD_POINTS;
-/// Number of transverse shear strains: γ_ξ in the middle of two edges, γ_η in the middle of the other two.
-pub(crate) const SHEARED: usize = 4;
-/// Number of strains of an element, with the thickness strain at each node.
-pub(crate) const STRAINS: usize = SURFACE + SHEARED + NODES;
+use super::face::{NODES, Shape, ShapeValues};
+
+/// Largest number of nodal vectors of an element: r and d of each node.
+pub const FACE_VECTORS: usize = 2 * NODES;
+/// Number of strains of the surface at an integration point: ε and κ, three components each.
+pub(crate) const SURFACE: usize = 6;
 
 /// Weights of the nodal vectors (r₁, d₁, r₂, d₂, ..).
-pub(crate) type Weighting = [f64; QUAD_VECTORS];
+pub(crate) type Weighting<const V: usize> = [f64; V];
 /// Nodal vectors (r₁, d₁, r₂, d₂, ..) or their displacements.
-pub(crate) type Vectors = [Vector3<f64>; QUAD_VECTORS];
+pub(crate) type Vectors<const V: usize> = [Vector3<f64>; V];
 /// Strains of an element.
-pub(crate) type Strains = SMatrix<f64, STRAINS, 1>;
-
-/// Places of the nodes in the unit square.
-pub(crate) const CORNERS: [[f64; 2]; NODES] = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
-
-/// Values of the bilinear shape functions, and their derivatives by ξ and η, at a point 0 ≤ ξ, η ≤ 1.
-pub(crate) fn bilinear([x, y]: [f64; 2]) -> [[f64; NODES]; 3] {
-    [
-        [(1.0 - x) * (1.0 - y), x * (1.0 - y), x * y, (1.0 - x) * y],
-        [-(1.0 - y), 1.0 - y, y, -y],
-        [-(1.0 - x), -x, x, 1.0 - x],
-    ]
-}
-
-/// Integration points with their weights on the unit square.
-pub(crate) fn points() -> [([f64; 2], f64); QUAD_POINTS] {
-    let near = 0.5 - 0.5 / 3.0_f64.sqrt();
-    let at = [near, 1.0 - near];
-    std::array::from_fn(|k| ([at[k % 2], at[k / 2]], 0.25))
-}
-
-/// Points at which the transverse shear strains are evaluated: γ_ξ for η = 0 and 1, γ_η for ξ = 0 and 1.
-///
-/// Source: Dvorkin & Bathe (1984).
-pub(crate) const SHEAR_POINTS: [[f64; 2]; SHEARED] = [[0.5, 0.0], [0.5, 1.0], [0.0, 0.5], [1.0, 0.5]];
+pub(crate) type Strains<const S: usize> = SMatrix<f64, S, 1>;
 
 /// Symmetric matrix Q of a strain e = ½ Σ Q_ab (x_a·x_b − X_a·X_b) of the nodal vectors x, X in the reference state.
-pub(crate) type Form = [Weighting; QUAD_VECTORS];
+pub(crate) type Form<const V: usize> = [Weighting<V>; V];
 
 /// Weights of the positions (`director` = 0) or of the directors (1).
-fn weighting(shape: &[f64; NODES], director: usize) -> Weighting {
+fn weighting<const V: usize>(shape: &[f64; NODES], director: usize) -> Weighting<V> {
     std::array::from_fn(|a| if a % 2 == director { shape[a / 2] } else { 0.0 })
 }
 
 /// Adds the form of the product p·q of two sums of nodal vectors.
-fn add_product(form: &mut Form, p: &Weighting, q: &Weighting) {
-    for a in 0..QUAD_VECTORS {
-        for b in 0..QUAD_VECTORS {
+fn add_product<const V: usize>(form: &mut Form<V>, p: &Weighting<V>, q: &Weighting<V>) {
+    for a in 0..V {
+        for b in 0..V {
             form[a][b] += p[a] * q[b] + q[a] * p[b];
         }
+    }
+}
+
+/// Transverse shear strain of an element at a point: the sum of γ_ξ and γ_η with two weights.
+pub(crate) struct SampledShear {
+    at: [f64; 2],
+    weights: [f64; 2],
+}
+
+/// Transverse shear strains of an element, along its edges in their middles.
+///
+/// Source: Dvorkin & Bathe (1984) for four nodes; Lee & Bathe (2004) for three nodes.
+pub(crate) const fn sampled_shear(shape: Shape) -> &'static [SampledShear] {
+    const XI: [f64; 2] = [1.0, 0.0];
+    const ETA: [f64; 2] = [0.0, 1.0];
+    match shape {
+        Shape::Triangle => &[
+            SampledShear { at: [0.5, 0.0], weights: XI },
+            SampledShear { at: [0.0, 0.5], weights: ETA },
+            SampledShear { at: [0.5, 0.5], weights: [-1.0, 1.0] },
+        ],
+        Shape::Quad => &[
+            SampledShear { at: [0.5, 0.0], weights: XI },
+            SampledShear { at: [0.5, 1.0], weights: XI },
+            SampledShear { at: [0.0, 0.5], weights: ETA },
+            SampledShear { at: [1.0, 0.5], weights: ETA },
+        ],
+    }
+}
+
+/// Returns the weights of the sampled shear strains in γ_ξ and γ_η at a point. The fourth weight of a triangle is zero.
+///
+/// On a triangle γ_ξ = γ₁ + c η and γ_η = γ₂ − c ξ with c = γ₂ − γ₁ − γ₃: the strain along each edge is constant.
+pub(crate) fn shear_interpolation(shape: Shape, [x, y]: [f64; 2]) -> [[f64; NODES]; 2] {
+    match shape {
+        Shape::Triangle => [[1.0 - y, y, -y, 0.0], [x, 1.0 - x, x, 0.0]],
+        Shape::Quad => [[1.0 - y, y, 0.0, 0.0], [0.0, 0.0, 1.0 - x, x]],
     }
 }
 
@@ -70,27 +75,29 @@ fn add_product(form: &mut Form, p: &Weighting, q: &Weighting) {
 ///
 /// ε_αβ = ½ (a_α·a_β − A_α·A_β), κ_αβ = ½ (a_α·d_,β + a_β·d_,α) minus its reference value, γ_α = a_α·d − A_α·D, and
 /// ε_33 = ½ (d·d − D·D).
-pub(crate) fn forms() -> Box<[Form; STRAINS]> {
-    let mut forms = Box::new([[[0.0; QUAD_VECTORS]; QUAD_VECTORS]; STRAINS]);
-    for (k, (at, _)) in points().into_iter().enumerate() {
-        surface_forms(at).into_iter().enumerate().for_each(|(i, form)| forms[6 * k + i] = form);
+pub(crate) fn forms<const V: usize, const S: usize>(shape: Shape) -> Box<[Form<V>; S]> {
+    let mut forms = Box::new([[[0.0; V]; V]; S]);
+    for (k, (at, _)) in shape.surface_points().iter().enumerate() {
+        let own = surface_forms(&shape.values(*at));
+        own.into_iter().enumerate().for_each(|(i, form)| forms[SURFACE * k + i] = form);
     }
-    for (k, at) in SHEAR_POINTS.into_iter().enumerate() {
-        let shapes = bilinear(at);
-        add_product(&mut forms[SURFACE + k], &weighting(&shapes[1 + k / 2], 0), &weighting(&shapes[0], 1));
+    let first = SURFACE * shape.surface_points().len();
+    for (k, SampledShear { at, weights: [of_x, of_y] }) in sampled_shear(shape).iter().enumerate() {
+        let [n, x, y] = shape.values(*at);
+        let along = std::array::from_fn(|a| of_x * x[a] + of_y * y[a]);
+        add_product(&mut forms[first + k], &weighting(&along, 0), &weighting(&n, 1));
     }
-    for a in 0..NODES {
-        forms[SURFACE + SHEARED + a][2 * a + 1][2 * a + 1] = 1.0;
+    for a in 0..shape.nodes() {
+        forms[first + shape.nodes() + a][2 * a + 1][2 * a + 1] = 1.0;
     }
     forms
 }
 
 /// Forms of ε and κ at a point.
-pub(crate) fn surface_forms(at: [f64; 2]) -> [Form; 6] {
-    let [_, x, y] = bilinear(at);
-    let [rx, ry] = [&x, &y].map(|shape| weighting(shape, 0));
-    let [dx, dy] = [&x, &y].map(|shape| weighting(shape, 1));
-    let mut forms = [[[0.0; QUAD_VECTORS]; QUAD_VECTORS]; 6];
+fn surface_forms<const V: usize>([_, x, y]: &ShapeValues) -> [Form<V>; SURFACE] {
+    let [rx, ry] = [x, y].map(|shape| weighting::<V>(shape, 0));
+    let [dx, dy] = [x, y].map(|shape| weighting::<V>(shape, 1));
+    let mut forms = [[[0.0; V]; V]; SURFACE];
     add_product(&mut forms[0], &rx.map(|w| 0.5 * w), &rx);
     add_product(&mut forms[1], &ry.map(|w| 0.5 * w), &ry);
     add_product(&mut forms[2], &rx, &ry);
@@ -102,13 +109,13 @@ pub(crate) fn surface_forms(at: [f64; 2]) -> [Form; 6] {
 }
 
 /// Computes Σ_b Q_ab x_b for all a.
-pub(crate) fn gradient(form: &Form, x: &Vectors) -> Vectors {
+pub(crate) fn gradient<const V: usize>(form: &Form<V>, x: &Vectors<V>) -> Vectors<V> {
     std::array::from_fn(|a| {
         form[a].iter().zip(x).filter(|(w, _)| **w != 0.0).fold(Vector3::zeros(), |sum, (w, x)| sum + x * *w)
     })
 }
 
 /// Computes Σ w_a x_a over the positions (`director` = 0) or the directors (1) of the nodes.
-pub(crate) fn interpolate(shape: &[f64; NODES], director: usize, x: &Vectors) -> Vector3<f64> {
-    (0..NODES).fold(Vector3::zeros(), |sum, a| sum + x[2 * a + director] * shape[a])
+pub(crate) fn interpolate(shape: &[f64; NODES], director: usize, x: &[Vector3<f64>]) -> Vector3<f64> {
+    x.chunks_exact(2).zip(shape).fold(Vector3::zeros(), |sum, (own, w)| sum + own[director] * *w)
 }

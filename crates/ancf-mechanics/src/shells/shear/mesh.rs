@@ -3,17 +3,19 @@ use std::sync::Arc;
 
 use ancf_solver::equations::{State, Term};
 use nalgebra::{Matrix2, Vector3};
+use smallvec::SmallVec;
 
-use super::element::Shell24;
-use super::forms::{CORNERS, NODES, QUAD_VECTORS, bilinear};
+use super::any_element::AnyElement;
+use super::face::{Face, NODES};
+use super::forms::FACE_VECTORS;
 use super::profile::ShearMedium;
-use super::topology::QuadTopology;
+use super::topology::MeshTopology;
 use crate::inertia::MassVisitor;
 use crate::kinematics::{
     Attachment, Directions, Marker, NodalVector, SectionFrame, VectorKind, gauss2, round_to_zero,
 };
 
-/// Place on a mesh of quadrilaterals: an element and (ξ, η) in it, from 0 to 1.
+/// Place on a mesh: an element and (ξ, η) in it, from 0 to 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SurfacePlace {
     /// Element, from 0.
@@ -22,7 +24,7 @@ pub struct SurfacePlace {
     pub at: [f64; 2],
 }
 
-/// Mesh of shear-deformable shell elements with any connectivity of quadrilaterals.
+/// Mesh of shear-deformable shell elements with any connectivity of quadrilaterals and triangles.
 ///
 /// Each node has the position r and the director d, a unit vector in the reference state.
 #[derive(Clone, Debug)]
@@ -31,10 +33,10 @@ pub struct ShearShellMesh {
     origin: Vector3<f64>,
     /// Positions relative to the origin and directors of the nodes.
     reference: Vec<[Vector3<f64>; 2]>,
-    quads: Arc<Vec<[usize; NODES]>>,
-    topology: Arc<QuadTopology>,
+    faces: Arc<Vec<Face>>,
+    topology: Arc<MeshTopology>,
     neighbours: Arc<Vec<Vec<usize>>>,
-    elements: Arc<Vec<Shell24>>,
+    elements: Arc<Vec<AnyElement>>,
     axis: Vector3<f64>,
 }
 
@@ -45,27 +47,24 @@ impl ShearShellMesh {
         first: usize,
         nodes: &[Vector3<f64>],
         directors: &[Vector3<f64>],
-        quads: Vec<[usize; NODES]>,
+        faces: Vec<Face>,
         medium: &ShearMedium,
     ) -> Self {
         let origin = nodes.first().copied().unwrap_or_default();
         let reference: Vec<_> = nodes.iter().zip(directors).map(|(r, d)| [r - origin, *d]).collect();
-        let data = quads.iter().map(|quad| {
-            let coordinates = (0..QUAD_VECTORS)
-                .flat_map(|a| (0..3).map(move |i| first + 6 * quad[a / 2] + 3 * (a % 2) + i))
-                .collect();
-            let corner = reference[quad[0]][0];
-            let vector = |a: usize| {
-                let value = reference[quad[a / 2]][a % 2];
-                if a.is_multiple_of(2) { value - corner } else { value }
-            };
-            (coordinates, std::array::from_fn(vector))
+        let data = faces.iter().map(|face| {
+            let nodes = face.nodes();
+            let coordinates =
+                nodes.iter().flat_map(|node| (0..6).map(move |i| first + 6 * node + i)).collect();
+            let corner = reference[nodes[0]][0];
+            let vectors = nodes.iter().flat_map(|node| [reference[*node][0] - corner, reference[*node][1]]);
+            (coordinates, vectors.collect())
         });
-        let elements = Arc::new(Shell24::all(data, medium));
-        let topology = QuadTopology::new(nodes.len(), &quads);
+        let elements = Arc::new(AnyElement::all(data, medium));
+        let topology = MeshTopology::new(nodes.len(), &faces);
         let neighbours = Arc::new(topology.neighbours(nodes.len()));
-        let (topology, quads) = (Arc::new(topology), Arc::new(quads));
-        Self { first, origin, reference, quads, topology, neighbours, elements, axis: medium.axis }
+        let (topology, faces) = (Arc::new(topology), Arc::new(faces));
+        Self { first, origin, reference, faces, topology, neighbours, elements, axis: medium.axis }
     }
 
     /// Returns the number of coordinates.
@@ -84,18 +83,17 @@ impl ShearShellMesh {
     }
 
     /// Returns the nodes of the elements.
-    pub fn quads(&self) -> &[[usize; NODES]] {
-        &self.quads
+    pub fn faces(&self) -> &[Face] {
+        &self.faces
     }
 
-    /// Returns the elements.
-    pub fn elements(&self) -> &[Shell24] {
+    pub(crate) fn elements(&self) -> &[AnyElement] {
         &self.elements
     }
 
     /// Returns the elements as terms.
     pub fn terms(&self) -> Vec<Box<dyn Term>> {
-        self.elements.iter().map(|element| Box::new(element.clone()) as _).collect()
+        self.elements.iter().map(AnyElement::term).collect()
     }
 
     /// Returns the elements at a node.
@@ -121,11 +119,10 @@ impl ShearShellMesh {
     }
 
     /// Returns the displacements of the nodal vectors of an element in a state.
-    pub(crate) fn displacements(&self, s: &State, element: usize) -> [Vector3<f64>; QUAD_VECTORS] {
-        std::array::from_fn(|a| {
-            let first = self.first + 6 * self.quads[element][a / 2] + 3 * (a % 2);
-            Vector3::from_column_slice(&s.q[first..first + 3])
-        })
+    pub(crate) fn displacements(&self, s: &State, element: usize) -> SmallVec<[Vector3<f64>; FACE_VECTORS]> {
+        let of = |node: &usize| [0, 3].map(|kind| self.first + 6 * node + kind);
+        let starts = self.faces[element].nodes().iter().flat_map(of);
+        starts.map(|start| Vector3::from_column_slice(&s.q[start..start + 3])).collect()
     }
 
     /// Returns the node and the kind of vector to which a coordinate of this mesh belongs.
@@ -138,38 +135,43 @@ impl ShearShellMesh {
     /// Returns the place of a node in its first element.
     pub fn place_of(&self, node: usize) -> SurfacePlace {
         let element = self.topology.at_node(node)[0];
-        let corner = self.quads[element].iter().position(|n| *n == node).unwrap_or(0);
-        SurfacePlace { element, at: CORNERS[corner] }
+        SurfacePlace { element, at: self.faces[element].place_of(node).unwrap_or_default() }
     }
 
     /// Returns the node at a place, if there is one.
     pub fn node_at(&self, place: SurfacePlace) -> Option<usize> {
-        let corner = CORNERS.iter().position(|at| *at == place.at)?;
-        Some(self.quads[place.element][corner])
+        let face = &self.faces[place.element];
+        let corner = face.shape().corners().iter().position(|at| *at == place.at)?;
+        Some(face.nodes()[corner])
     }
 
     /// Returns the marker Σ w_a r_a (`kind` = 0) or Σ w_a d_a (1) over the nodes of an element.
     fn marker(&self, element: usize, weights: &[f64; NODES], kind: usize) -> Marker {
-        let nodes = self.quads[element];
-        let sum: Vector3<f64> = nodes.iter().zip(weights).map(|(&n, w)| self.reference[n][kind] * *w).sum();
-        let parts = nodes.iter().zip(weights).map(|(&n, &w)| (self.first + 6 * n + 3 * kind, w));
+        let own = || self.faces[element].nodes().iter().zip(weights);
+        let sum: Vector3<f64> = own().map(|(&n, &w)| self.reference[n][kind] * w).sum();
+        let parts = own().map(|(&n, &w)| (self.first + 6 * n + 3 * kind, w));
         let origin = if kind == 0 { round_to_zero(weights.iter().sum()) } else { 0.0 };
         Marker::new(parts, sum + self.origin * origin)
     }
 
+    /// Returns the shape functions at a place and their derivatives.
+    fn shapes(&self, place: SurfacePlace) -> [[f64; NODES]; 3] {
+        self.faces[place.element].shape().values(place.at)
+    }
+
     /// Returns the point of the middle surface at a place.
     pub fn point(&self, place: SurfacePlace) -> Marker {
-        self.marker(place.element, &bilinear(place.at)[0], 0)
+        self.marker(place.element, &self.shapes(place)[0], 0)
     }
 
     /// Returns the director at a place.
     pub fn director(&self, place: SurfacePlace) -> Marker {
-        self.marker(place.element, &bilinear(place.at)[0], 1)
+        self.marker(place.element, &self.shapes(place)[0], 1)
     }
 
     /// Returns the tangents r_ξ and r_η at a place.
     pub fn tangents(&self, place: SurfacePlace) -> [Marker; 2] {
-        let [_, x, y] = bilinear(place.at);
+        let [_, x, y] = self.shapes(place);
         [x, y].map(|shape| self.marker(place.element, &shape, 0))
     }
 
@@ -244,25 +246,29 @@ impl ShearShellMesh {
     /// Returns the sums Σ m x over parts of the body, one for each element.
     pub fn mass_markers(&self) -> impl Iterator<Item = Marker> + '_ {
         self.elements.iter().enumerate().map(|(k, element)| {
-            let first = &element.profile().first;
-            let of = |kind: usize| self.marker(k, &std::array::from_fn(|a| first[2 * a + kind]), kind);
-            Marker::combined([(1.0, &of(0)), (1.0, &of(1))])
+            let first = element.data().first_moments();
+            let mut weights = [[0.0; NODES]; 2];
+            first.iter().enumerate().for_each(|(a, m)| weights[a % 2][a / 2] = *m);
+            let [of_points, of_directors] = [0, 1].map(|kind| self.marker(k, &weights[kind], kind));
+            Marker::combined([(1.0, &of_points), (1.0, &of_directors)])
         })
     }
 
     /// Visits the elements with their nodal vectors in a state and their compact mass matrices.
     pub(crate) fn visit_masses(&self, s: &State, visit: &mut MassVisitor<'_>) {
-        for (k, element) in self.elements.iter().enumerate() {
-            let profile = element.profile();
-            let vectors: [NodalVector; QUAD_VECTORS] =
-                std::array::from_fn(|a| self.nodal_vector(s, self.quads[k][a / 2], a % 2));
-            visit(&vectors, &|a, b| profile.mass(a, b));
+        for (face, element) in self.faces.iter().zip(self.elements.iter()) {
+            let vectors: SmallVec<[NodalVector; FACE_VECTORS]> = face
+                .nodes()
+                .iter()
+                .flat_map(|node| [0, 1].map(|kind| self.nodal_vector(s, *node, kind)))
+                .collect();
+            visit(&vectors, &|a, b| element.data().mass(a, b));
         }
     }
 
     /// Returns the marker ∫ r dA over an element, in the reference state.
     pub fn area_marker(&self, element: usize) -> Marker {
-        self.marker(element, &self.elements[element].profile().areas(), 0)
+        self.marker(element, &self.elements[element].data().areas(), 0)
     }
 
     /// Returns the places on an edge between two nodes at which loads are integrated, with the lengths that they stand for.
@@ -270,8 +276,8 @@ impl ShearShellMesh {
     /// `None` if no element has the edge.
     pub fn edge_points(&self, [from, to]: [usize; 2]) -> Option<[(SurfacePlace, f64); 2]> {
         let element = self.topology.of_edge([from, to]).next()?;
-        let corner = |node: usize| self.quads[element].iter().position(|n| *n == node).map(|a| CORNERS[a]);
-        let (a, b) = (corner(from)?, corner(to)?);
+        let face = &self.faces[element];
+        let (a, b) = (face.place_of(from)?, face.place_of(to)?);
         let length = (self.reference[to][0] - self.reference[from][0]).norm();
         Some(gauss2().map(|(x, weight)| {
             let at = [0, 1].map(|i| a[i] + (b[i] - a[i]) * x);
@@ -281,11 +287,7 @@ impl ShearShellMesh {
 
     /// Returns the strain energy.
     pub fn strain_energy(&self, s: &State) -> f64 {
-        let of = |element: &Shell24| {
-            let mut q = [0.0; 3 * QUAD_VECTORS];
-            q.iter_mut().zip(element.coordinates()).for_each(|(q, &c)| *q = s.q[c]);
-            element.strain_energy(&q)
-        };
-        self.elements.iter().map(of).sum()
+        let of = |(k, element): (usize, &AnyElement)| element.data().strain_energy(&self.displacements(s, k));
+        self.elements.iter().enumerate().map(of).sum()
     }
 }

@@ -1,24 +1,24 @@
-//! Shear-deformable shells: four-node elements with a position and a director at each node, on any mesh of quadrilaterals.
+//! Shear-deformable shells: elements of three or four nodes with a position and a director at each, on any mesh.
 
+mod any_element;
 mod directors;
 mod element;
+mod face;
 mod forms;
 mod mesh;
 mod pressure;
 mod profile;
-mod rounding;
 mod shell_place;
 mod stress;
 mod surface;
 mod topology;
 
 pub use directors::{directors, stress_axis};
-pub use element::Shell24;
-pub use forms::{NODES, QUAD_VECTORS};
+pub use face::Face;
 pub use mesh::{ShearShellMesh, SurfacePlace};
-pub use pressure::QuadPressure;
-pub use profile::{ShearMedium, ShearProfile};
+pub use pressure::FacePressure;
+pub use profile::ShearMedium;
 pub use shell_place::ShellPlace;
 pub use stress::ShearStressField;
 pub use surface::NearestPoint;
-pub use topology::{QuadTopology, TopologyDefect};
+pub use topology::{MeshTopology, TopologyDefect};

@@ -1,13 +1,17 @@
-use nalgebra::{Matrix2, Matrix3, SMatrix, Vector3};
+use nalgebra::{DMatrix, DVector, Matrix2, Matrix3, SMatrix, Vector3};
 
+use super::face::Shape;
 use super::forms::{
-    CORNERS, Form, NODES, QUAD_POINTS, QUAD_VECTORS, SHEARED, STRAINS, SURFACE, Strains, Vectors, bilinear,
-    forms, gradient, interpolate, points,
+    Form, SURFACE, Strains, Vectors, Weighting, forms, gradient, interpolate, sampled_shear,
+    shear_interpolation,
 };
-use crate::shells::laminates::{ThickSection, to_orthonormal};
+use crate::shells::laminates::{ThickSection, strain_transform, to_orthonormal};
 
-/// Number of enhanced membrane strain modes.
-pub(crate) const MODES: usize = 5;
+/// Roundings in a sum of eight products, relative to the sum of their magnitudes.
+const SUM: f64 = 4.0 * f64::EPSILON;
+
+/// Number of enhanced membrane strain modes of a quadrilateral. A triangle has none.
+const MODES: usize = 5;
 
 /// Material, inertia and loads of a shear-deformable shell that are common to its elements.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -24,47 +28,48 @@ pub struct ShearMedium {
     pub gravity: Vector3<f64>,
 }
 
-/// Forms of the strains, common to all elements.
+/// Forms of the strains, common to all elements of a shape.
 #[derive(Clone, Debug)]
-pub(crate) struct ShearTables {
-    pub(crate) forms: Box<[Form; STRAINS]>,
+pub(crate) struct ShearTables<const V: usize, const S: usize> {
+    pub(crate) shape: Shape,
+    pub(crate) forms: Box<[Form<V>; S]>,
 }
 
-impl ShearTables {
-    pub(crate) fn new() -> Self {
-        Self { forms: forms() }
+impl<const V: usize, const S: usize> ShearTables<V, S> {
+    pub(crate) fn new(shape: Shape) -> Self {
+        Self { shape, forms: forms(shape) }
     }
 }
 
-/// Stiffness of the strains of an element.
-pub(crate) type StrainStiffness = SMatrix<f64, STRAINS, STRAINS>;
-/// Enhanced membrane strains at the integration points for unit parameters.
-pub(crate) type SurfaceModes = SMatrix<f64, SURFACE, MODES>;
-
-/// Constant data of a shear-deformable shell element.
+/// Constant data of a shear-deformable shell element with V nodal vectors and S strains.
 #[derive(Clone, Debug)]
-pub struct ShearProfile {
+pub(crate) struct ShearProfile<const V: usize, const S: usize> {
+    pub(crate) shape: Shape,
     /// Nodal vectors in the reference state, positions relative to the first node.
-    pub(crate) reference: Vectors,
+    pub(crate) reference: Vectors<V>,
     /// Gradients of the strains by the nodal vectors in the reference state.
-    pub(crate) gradients: Vec<Vectors>,
+    pub(crate) gradients: Vec<Vectors<V>>,
     /// Stiffness of the strains after elimination of the enhanced modes.
-    pub(crate) stiffness: Box<StrainStiffness>,
+    pub(crate) stiffness: Box<SMatrix<f64, S, S>>,
     /// Matrix of the enhanced strains that follow from the compatible strains of the surface.
-    pub(crate) enhancement: Box<SMatrix<f64, SURFACE, SURFACE>>,
+    enhancement: DMatrix<f64>,
     /// Compact mass matrix of the nodal vectors and first moments of the mass.
-    pub(crate) mass: [[f64; QUAD_VECTORS]; QUAD_VECTORS],
-    pub(crate) first: [f64; QUAD_VECTORS],
-    /// Volumes (A_ξ × A_η)·D at the nodes.
-    pub(crate) volumes: [f64; NODES],
+    pub(crate) mass: [[f64; V]; V],
+    pub(crate) first: [f64; V],
     pub(crate) medium: ShearMedium,
 }
 
 /// Tangents of the reference surface at a point, and its area per unit of ξ and η.
-pub(crate) fn tangents(at: [f64; 2], x: &Vectors) -> ([Vector3<f64>; 2], f64) {
-    let [_, of_x, of_y] = bilinear(at);
-    let [a, b] = [of_x, of_y].map(|shape| interpolate(&shape, 0, x));
+pub(crate) fn tangents(shape: Shape, at: [f64; 2], x: &[Vector3<f64>]) -> ([Vector3<f64>; 2], f64) {
+    let [_, of_x, of_y] = shape.values(at);
+    let [a, b] = [of_x, of_y].map(|weights| interpolate(&weights, 0, x));
     ([a, b], a.cross(&b).norm())
+}
+
+/// Volume (a_ξ × a_η)·d at a node.
+pub(crate) fn volume(shape: Shape, corner: usize, x: &[Vector3<f64>]) -> f64 {
+    let ([t, s], _) = tangents(shape, shape.corners()[corner], x);
+    t.cross(&s).dot(&x[2 * corner + 1])
 }
 
 /// Computes the enhanced membrane strains at the integration points, in covariant components there.
@@ -73,16 +78,19 @@ pub(crate) fn tangents(at: [f64; 2], x: &Vectors) -> ([Vector3<f64>; 2], f64) {
 /// middle of the element, times the ratio of the areas there and at the point. Their means over the area vanish.
 ///
 /// Source: Simo & Rifai (1990); Andelfinger & Ramm (1993), five parameters.
-fn modes(reference: &Vectors) -> SurfaceModes {
-    let mut modes = SurfaceModes::zeros();
-    let ([t, s], middle) = tangents([0.5, 0.5], reference);
+fn modes(shape: Shape, reference: &[Vector3<f64>]) -> DMatrix<f64> {
+    let points = shape.surface_points();
+    if shape == Shape::Triangle {
+        return DMatrix::zeros(SURFACE * points.len(), 0);
+    }
+    let mut modes = DMatrix::zeros(SURFACE * points.len(), MODES);
+    let ([t, s], middle) = tangents(shape, shape.middle(), reference);
     let normal = t.cross(&s) / middle;
     let dual = [s.cross(&normal) / middle, normal.cross(&t) / middle];
-    for (k, (at, _)) in points().into_iter().enumerate() {
-        let (own, area) = tangents(at, reference);
+    for (k, (at, _)) in points.iter().enumerate() {
+        let (own, area) = tangents(shape, *at, reference);
         // ε_αβ at the point = Σ ε_γδ (G_α·G₀^γ)(G_β·G₀^δ) of the components in the middle.
-        let c = own.map(|a| [a.dot(&dual[0]), a.dot(&dual[1])]);
-        let to_point = crate::shells::laminates::strain_transform(c);
+        let to_point = strain_transform(own.map(|a| [a.dot(&dual[0]), a.dot(&dual[1])]));
         let [x, y] = at.map(|x| 2.0 * x - 1.0);
         let values = [
             Vector3::new(x, 0.0, 0.0),
@@ -93,7 +101,7 @@ fn modes(reference: &Vectors) -> SurfaceModes {
         ];
         for (mode, value) in values.into_iter().enumerate() {
             let strain = to_point * value * (middle / area);
-            modes.fixed_view_mut::<3, 1>(6 * k, mode).copy_from(&strain);
+            modes.fixed_view_mut::<3, 1>(SURFACE * k, mode).copy_from(&strain);
         }
     }
     modes
@@ -111,16 +119,17 @@ fn shear_transform([t, s]: [&Vector3<f64>; 2], axis: &Vector3<f64>) -> Matrix2<f
 }
 
 /// Stiffness of the strains of the surface at the integration points.
-fn surface_stiffness(reference: &Vectors, medium: &ShearMedium) -> SMatrix<f64, SURFACE, SURFACE> {
-    let mut stiffness = SMatrix::<f64, SURFACE, SURFACE>::zeros();
+fn surface_stiffness(shape: Shape, reference: &[Vector3<f64>], medium: &ShearMedium) -> DMatrix<f64> {
+    let points = shape.surface_points();
+    let mut stiffness = DMatrix::zeros(SURFACE * points.len(), SURFACE * points.len());
     let section = &medium.section.surface;
-    for (k, (at, weight)) in points().into_iter().enumerate() {
-        let ([t, s], area) = tangents(at, reference);
+    for (k, (at, weight)) in points.iter().enumerate() {
+        let ([t, s], area) = tangents(shape, *at, reference);
         let to_local = to_orthonormal([&t, &s], &medium.axis);
         let [a, b, d] = [section.membrane, section.coupling, section.bending]
             .map(|c| to_local.transpose() * c * to_local * (weight * area));
         let mut put = |row: usize, column: usize, block: &Matrix3<f64>| {
-            stiffness.fixed_view_mut::<3, 3>(6 * k + row, 6 * k + column).copy_from(block);
+            stiffness.fixed_view_mut::<3, 3>(SURFACE * k + row, SURFACE * k + column).copy_from(block);
         };
         put(0, 0, &a);
         put(0, 3, &b);
@@ -130,48 +139,57 @@ fn surface_stiffness(reference: &Vectors, medium: &ShearMedium) -> SMatrix<f64, 
     stiffness
 }
 
-/// Stiffness of the transverse shear strains at their sampling points.
-fn shear_stiffness(reference: &Vectors, medium: &ShearMedium) -> SMatrix<f64, SHEARED, SHEARED> {
-    let mut stiffness = SMatrix::<f64, SHEARED, SHEARED>::zeros();
-    for ([x, y], weight) in points() {
-        let ([t, s], area) = tangents([x, y], reference);
+/// Stiffness of the sampled transverse shear strains.
+fn shear_stiffness(shape: Shape, reference: &[Vector3<f64>], medium: &ShearMedium) -> DMatrix<f64> {
+    let sampled = sampled_shear(shape).len();
+    let mut stiffness = DMatrix::zeros(sampled, sampled);
+    for (at, weight) in shape.points() {
+        let ([t, s], area) = tangents(shape, *at, reference);
         let to_local = shear_transform([&t, &s], &medium.axis);
         let covariant = to_local.transpose() * medium.section.shear * to_local * (weight * area);
-        let interpolation = SMatrix::<f64, 2, SHEARED>::new(1.0 - y, y, 0.0, 0.0, 0.0, 0.0, 1.0 - x, x);
-        stiffness += interpolation.transpose() * covariant * interpolation;
+        let weights = shear_interpolation(shape, *at);
+        for i in 0..sampled {
+            for j in 0..sampled {
+                let [p, q] = [i, j].map(|k| [weights[0][k], weights[1][k]]);
+                for (a, p) in p.iter().enumerate() {
+                    stiffness[(i, j)] += p * (covariant[(a, 0)] * q[0] + covariant[(a, 1)] * q[1]);
+                }
+            }
+        }
     }
     stiffness
 }
 
-impl ShearProfile {
+impl<const V: usize, const S: usize> ShearProfile<V, S> {
     /// Creates the data of an element with the given nodal vectors in the reference state.
-    pub(crate) fn new(tables: &ShearTables, reference: &Vectors, medium: &ShearMedium) -> Self {
-        let own = surface_stiffness(reference, medium);
-        let modes = modes(reference);
-        let (of_modes, loads) = (modes.transpose() * own * modes, modes.transpose() * own);
+    pub(crate) fn new(tables: &ShearTables<V, S>, reference: &Vectors<V>, medium: &ShearMedium) -> Self {
+        let shape = tables.shape;
+        let own = surface_stiffness(shape, reference, medium);
+        let modes = modes(shape, reference);
+        let (of_modes, loads) = (modes.transpose() * (&own * &modes), modes.transpose() * &own);
         let solved = of_modes.cholesky().map(|factor| factor.solve(&loads));
         // A singular element has no stiffness that could be used: its entries are NaN.
         let solved = solved.unwrap_or_else(|| loads.map(|_| f64::NAN));
-        let condensed = own - loads.transpose() * solved;
-        let mut stiffness = Box::new(StrainStiffness::zeros());
+        let condensed = own - loads.transpose() * &solved;
+        let mut stiffness = Box::new(SMatrix::<f64, S, S>::zeros());
+        let surface = condensed.nrows();
         stiffness
-            .fixed_view_mut::<SURFACE, SURFACE>(0, 0)
-            .copy_from(&((condensed + condensed.transpose()) * 0.5));
-        stiffness
-            .fixed_view_mut::<SHEARED, SHEARED>(SURFACE, SURFACE)
-            .copy_from(&shear_stiffness(reference, medium));
-        let (mut mass, mut first) = ([[0.0; QUAD_VECTORS]; QUAD_VECTORS], [0.0; QUAD_VECTORS]);
+            .view_mut((0, 0), (surface, surface))
+            .copy_from(&((&condensed + condensed.transpose()) * 0.5));
+        let sheared = shear_stiffness(shape, reference, medium);
+        stiffness.view_mut((surface, surface), sheared.shape()).copy_from(&sheared);
+        let thickness = surface + sheared.nrows();
+        let (mut mass, mut first) = ([[0.0; V]; V], [0.0; V]);
         let [of_area, moment, rotary] = medium.section.inertia;
-        for (at, weight) in points() {
-            let ([shape, ..], (_, area)) = (bilinear(at), tangents(at, reference));
+        for (at, weight) in shape.points() {
+            let ([weights, ..], (_, area)) = (shape.values(*at), tangents(shape, *at, reference));
             let size = weight * area;
-            for a in 0..NODES {
-                first[2 * a] += size * of_area * shape[a];
-                first[2 * a + 1] += size * moment * shape[a];
-                let thickness = &mut stiffness[(SURFACE + SHEARED + a, SURFACE + SHEARED + a)];
-                *thickness += size * medium.section.thickness * shape[a];
-                for b in 0..NODES {
-                    let part = size * shape[a] * shape[b];
+            for a in 0..shape.nodes() {
+                first[2 * a] += size * of_area * weights[a];
+                first[2 * a + 1] += size * moment * weights[a];
+                stiffness[(thickness + a, thickness + a)] += size * medium.section.thickness * weights[a];
+                for b in 0..shape.nodes() {
+                    let part = size * weights[a] * weights[b];
                     mass[2 * a][2 * b] += part * of_area;
                     mass[2 * a][2 * b + 1] += part * moment;
                     mass[2 * a + 1][2 * b] += part * moment;
@@ -180,48 +198,41 @@ impl ShearProfile {
             }
         }
         let gradients = tables.forms.iter().map(|form| gradient(form, reference)).collect();
-        let enhancement = Box::new(-(modes * solved));
-        let volumes = volumes(reference);
-        Self {
-            reference: *reference,
-            gradients,
-            stiffness,
-            enhancement,
-            mass,
-            first,
-            volumes,
-            medium: *medium,
-        }
-    }
-
-    /// Returns an entry of the compact mass matrix of the vectors r₁, d₁, r₂, d₂, ..
-    pub fn mass(&self, a: usize, b: usize) -> f64 {
-        self.mass[a][b]
-    }
-
-    /// Returns ∫ N_a dA for the positions.
-    pub(crate) fn areas(&self) -> [f64; NODES] {
-        let mut areas = [0.0; NODES];
-        for (at, weight) in points() {
-            let ([shape, ..], (_, area)) = (bilinear(at), tangents(at, &self.reference));
-            areas.iter_mut().zip(shape).for_each(|(sum, shape)| *sum += weight * area * shape);
-        }
-        areas
+        let enhancement = -(modes * solved);
+        Self { shape, reference: *reference, gradients, stiffness, enhancement, mass, first, medium: *medium }
     }
 
     /// Returns the strains of the surface with the enhanced ones, at the integration points.
-    pub(crate) fn enhanced(&self, strains: &Strains) -> SMatrix<f64, SURFACE, 1> {
-        let own = strains.fixed_rows::<SURFACE>(0);
-        own + *self.enhancement * own
+    pub(crate) fn enhanced(&self, strains: &Strains<S>) -> DVector<f64> {
+        let own = DVector::from_column_slice(&strains.as_slice()[..self.enhancement.nrows()]);
+        &own + &self.enhancement * &own
+    }
+
+    /// Adds bounds of the rounding errors of the forces, for an element with displacements and velocities of the given magnitudes.
+    pub(crate) fn add_rounding(
+        &self,
+        tables: &ShearTables<V, S>,
+        [q, v]: [&Weighting<V>; 2],
+        (strains, stress): (&Strains<S>, &Strains<S>),
+        bound: &mut Weighting<V>,
+    ) {
+        let time = self.medium.retardation;
+        let mut gradients = [[0.0; V]; S];
+        let mut errors = [0.0; S];
+        for (k, form) in tables.forms.iter().enumerate() {
+            for a in 0..V {
+                let moved: f64 = form[a].iter().zip(q).map(|(w, q)| w.abs() * q).sum();
+                gradients[k][a] = self.gradients[k][a].norm() + moved;
+                errors[k] += SUM * gradients[k][a] * (q[a] + time * v[a]);
+            }
+        }
+        for k in 0..S {
+            let row = self.stiffness.row(k);
+            let error: f64 =
+                row.iter().enumerate().map(|(l, c)| c.abs() * (errors[l] + SUM * strains[l].abs())).sum();
+            for (bound, gradient) in bound.iter_mut().zip(&gradients[k]) {
+                *bound += (error + SUM * stress[k].abs()) * gradient;
+            }
+        }
     }
 }
-
-/// Volumes (a_ξ × a_η)·d at the nodes.
-pub(crate) fn volumes(x: &Vectors) -> [f64; NODES] {
-    std::array::from_fn(|a| {
-        let ([t, s], _) = tangents(CORNERS[a], x);
-        t.cross(&s).dot(&x[2 * a + 1])
-    })
-}
-
-const _: () = assert!(QUAD_POINTS * 6 == SURFACE);

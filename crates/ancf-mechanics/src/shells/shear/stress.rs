@@ -1,50 +1,52 @@
 //! Strains and stresses of a shear-deformable shell at any point.
 
 use ancf_solver::equations::State;
-use nalgebra::{SMatrix, Vector3};
+use nalgebra::Vector3;
 
-use super::forms::{CORNERS, QUAD_POINTS, SURFACE, bilinear, points};
+use super::face::{NODES, Shape};
+use super::forms::SURFACE;
 use super::mesh::{ShearShellMesh, SurfacePlace};
-use super::profile::tangents;
 use crate::shells::laminates::to_orthonormal;
 use crate::shells::surface_stress::SurfaceStress;
 
-/// Strains of the surface at the integration points of an element, in the orthonormal frame there.
-type PointStrains = SMatrix<f64, SURFACE, 1>;
+/// Membrane strains and curvatures of the surface, in an orthonormal frame.
+type SurfaceStrains = [Vector3<f64>; 2];
+
+/// Strains of an element at its nodes: extrapolated from four integration points, or constant.
+type NodalStrains = [SurfaceStrains; NODES];
 
 /// Stresses of a shear-deformable shell in a state, for evaluation at many points.
 #[derive(Clone, Debug)]
 pub struct ShearStressField<'a> {
     mesh: &'a ShearShellMesh,
-    elements: Vec<PointStrains>,
+    elements: Vec<NodalStrains>,
 }
 
-fn strains(mesh: &ShearShellMesh, s: &State, element: usize) -> PointStrains {
-    let own = &mesh.elements()[element];
-    let mut strains = own.profile().enhanced(&own.strains(&mesh.displacements(s, element)));
-    for (k, (at, _)) in points().into_iter().enumerate() {
-        let ([t, s], _) = tangents(at, &own.profile().reference);
-        let to_local = to_orthonormal([&t, &s], &own.profile().medium.axis);
-        for kind in [0, 3] {
-            let local = to_local * strains.fixed_rows::<3>(6 * k + kind);
-            strains.fixed_rows_mut::<3>(6 * k + kind).copy_from(&local);
+/// Computes the strains at the integration points, and extrapolates them to the nodes.
+fn strains(mesh: &ShearShellMesh, s: &State, element: usize) -> NodalStrains {
+    let (shape, data) = (mesh.faces()[element].shape(), mesh.elements()[element].data());
+    let strains = data.surface_strains(&mesh.displacements(s, element));
+    let at_point = |k: usize| {
+        let [t, s] = data.tangents(shape.surface_points()[k].0);
+        let to_local = to_orthonormal([&t, &s], &data.medium().axis);
+        [0, 3].map(|kind| to_local * strains.fixed_rows::<3>(SURFACE * k + kind))
+    };
+    match shape {
+        Shape::Triangle => [at_point(0); NODES],
+        Shape::Quad => {
+            let (low, high) = (shape.surface_points()[0].0[0], shape.surface_points()[1].0[0]);
+            // Integration points are numbered along ξ first, nodes around the element.
+            let values = [0, 1, 3, 2].map(at_point);
+            std::array::from_fn(|a| {
+                let local = shape.corners()[a].map(|x| (x - low) / (high - low));
+                weighted(&shape.values(local)[0], &values)
+            })
         }
     }
-    strains
 }
 
-/// Bilinear extrapolation of the values at the integration points to a point of the element.
-fn extrapolated(strains: &PointStrains, at: [f64; 2]) -> [Vector3<f64>; 2] {
-    let [([low, _], _), ([high, _], _), ..] = points();
-    let local = at.map(|x| (x - low) / (high - low));
-    let [shape, ..] = bilinear(local);
-    // Integration points are numbered along ξ first, nodes around the element.
-    let order = [0, 1, 3, 2];
-    [0, 3].map(|kind| {
-        (0..QUAD_POINTS)
-            .map(|a| strains.fixed_rows::<3>(6 * order[a] + kind) * shape[a])
-            .sum::<Vector3<f64>>()
-    })
+fn weighted(weights: &[f64; NODES], values: &NodalStrains) -> SurfaceStrains {
+    [0, 1].map(|kind| weights.iter().zip(values).map(|(w, value)| value[kind] * *w).sum())
 }
 
 impl<'a> ShearStressField<'a> {
@@ -69,21 +71,23 @@ impl ShearShellMesh {
         self.mean_stress(place, |element| strains(self, s, element))
     }
 
-    fn mean_stress(&self, place: SurfacePlace, of: impl Fn(usize) -> PointStrains) -> SurfaceStress {
-        let local = |SurfacePlace { element, at }: SurfacePlace| extrapolated(&of(element), at);
-        let places: Vec<SurfacePlace> = match self.node_at(place) {
-            Some(node) => {
-                let corner = |k: usize| self.quads()[k].iter().position(|n| *n == node).unwrap_or(0);
-                self.at_node(node)
-                    .iter()
-                    .map(|&element| SurfacePlace { element, at: CORNERS[corner(element)] })
-                    .collect()
-            }
-            None => vec![place],
+    fn mean_stress(&self, place: SurfacePlace, of: impl Fn(usize) -> NodalStrains) -> SurfaceStress {
+        let [mut membrane, mut bending] = [Vector3::zeros(); 2];
+        let mut add = |element: usize, at: [f64; 2], share: f64| {
+            let [own, curvature] = weighted(&self.faces()[element].weights(at), &of(element));
+            membrane += own * share;
+            bending += curvature * share;
         };
-        let count = places.len() as f64;
-        let sum = places.into_iter().map(local).fold([Vector3::zeros(); 2], |[a, b], [c, d]| [a + c, b + d]);
-        let section = &self.elements()[place.element].profile().medium.section.surface;
-        SurfaceStress::new(section, [1.0, 0.0], sum[0] / count, sum[1] / count)
+        match self.node_at(place) {
+            Some(node) => {
+                let own = self.at_node(node);
+                let share = 1.0 / own.len() as f64;
+                let at = |element: usize| self.faces()[element].place_of(node).unwrap_or_default();
+                own.iter().for_each(|&element| add(element, at(element), share));
+            }
+            None => add(place.element, place.at, 1.0),
+        }
+        let section = &self.elements()[place.element].data().medium().section.surface;
+        SurfaceStress::new(section, [1.0, 0.0], membrane, bending)
     }
 }

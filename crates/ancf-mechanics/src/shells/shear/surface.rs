@@ -1,12 +1,12 @@
 use nalgebra::{Matrix2, Vector2, Vector3};
 
-use super::forms::{NODES, bilinear};
+use super::face::{Face, NODES, Shape};
 use super::mesh::SurfacePlace;
 
 /// Iterations of the projection on an element.
 const ITERATIONS: usize = 20;
 
-/// Point of a mesh of quadrilaterals nearest to a given point.
+/// Point of a mesh nearest to a given point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NearestPoint {
     /// Place on the mesh.
@@ -16,16 +16,36 @@ pub struct NearestPoint {
 }
 
 /// Sum of the nodes with the weights of a shape function.
-fn sum(shape: &[f64; NODES], x: &[Vector3<f64>; NODES]) -> Vector3<f64> {
-    (0..NODES).map(|a| x[a] * shape[a]).sum()
+fn sum(shape: &[f64; NODES], x: &[Vector3<f64>]) -> Vector3<f64> {
+    x.iter().zip(shape).map(|(x, weight)| x * *weight).sum()
 }
 
-/// Projects a point on a bilinear element, by Newton's method with ξ and η in the unit square.
-fn project(point: &Vector3<f64>, x: &[Vector3<f64>; NODES]) -> ([f64; 2], f64) {
+/// Nearest point of a triangle: the projection on its plane, or the nearest point of its edges.
+fn project_on_triangle(point: &Vector3<f64>, x: &[Vector3<f64>]) -> [f64; 2] {
+    let (t, s, gap) = (x[1] - x[0], x[2] - x[0], point - x[0]);
+    let gram = Matrix2::new(t.dot(&t), t.dot(&s), t.dot(&s), s.dot(&s));
+    let inside = gram.try_inverse().map(|inverse| inverse * Vector2::new(gap.dot(&t), gap.dot(&s)));
+    if let Some(at) = inside.filter(|at| at.min() >= 0.0 && at.sum() <= 1.0) {
+        return [at.x, at.y];
+    }
+    let corners = Shape::Triangle.corners();
+    let on_edge = |a: usize| {
+        let b = (a + 1) % 3;
+        let edge = x[b] - x[a];
+        let along = ((point - x[a]).dot(&edge) / edge.norm_squared()).clamp(0.0, 1.0);
+        let at = [0, 1].map(|i| corners[a][i] + (corners[b][i] - corners[a][i]) * along);
+        (at, (x[a] + edge * along - point).norm())
+    };
+    let edges = [on_edge(0), on_edge(1), on_edge(2)];
+    edges.into_iter().min_by(|(_, a), (_, b)| a.total_cmp(b)).map_or([0.0; 2], |(at, _)| at)
+}
+
+/// Nearest point of a bilinear element, by Newton's method with ξ and η in the unit square.
+fn project_on_quad(point: &Vector3<f64>, x: &[Vector3<f64>]) -> [f64; 2] {
     let twist = x[0] - x[1] + x[2] - x[3];
     let mut at = Vector2::new(0.5, 0.5);
     for _ in 0..ITERATIONS {
-        let [n, of_x, of_y] = bilinear([at.x, at.y]);
+        let [n, of_x, of_y] = Shape::Quad.values([at.x, at.y]);
         let (gap, t, s) = (sum(&n, x) - point, sum(&of_x, x), sum(&of_y, x));
         let mixed = t.dot(&s) + gap.dot(&twist);
         let (hessian, gradient) =
@@ -48,22 +68,25 @@ fn project(point: &Vector3<f64>, x: &[Vector3<f64>; NODES]) -> ([f64; 2], f64) {
             break;
         }
     }
-    let [n, ..] = bilinear([at.x, at.y]);
-    ([at.x, at.y], (sum(&n, x) - point).norm())
+    [at.x, at.y]
 }
 
 impl NearestPoint {
     /// Finds the nearest point of a mesh. `None` for a mesh without elements.
-    pub fn of(nodes: &[Vector3<f64>], elements: &[[usize; NODES]], point: &Vector3<f64>) -> Option<Self> {
+    pub fn of(nodes: &[Vector3<f64>], elements: &[Face], point: &Vector3<f64>) -> Option<Self> {
         let mut best: Option<Self> = None;
         for (element, own) in elements.iter().enumerate() {
-            let x = own.map(|node| nodes[node]);
-            let middle = x.iter().sum::<Vector3<f64>>() * 0.25;
+            let x = own.points(nodes);
+            let middle = x.iter().sum::<Vector3<f64>>() / x.len() as f64;
             let radius = x.iter().map(|x| (x - middle).norm()).fold(0.0, f64::max);
             if best.is_some_and(|best| (point - middle).norm() - radius > best.distance) {
                 continue;
             }
-            let (at, distance) = project(point, &x);
+            let at = match own.shape() {
+                Shape::Triangle => project_on_triangle(point, &x),
+                Shape::Quad => project_on_quad(point, &x),
+            };
+            let distance = (sum(&own.weights(at), &x) - point).norm();
             if best.is_none_or(|best| distance < best.distance) {
                 best = Some(Self { place: SurfacePlace { element, at: at.map(snapped) }, distance });
             }
@@ -72,10 +95,10 @@ impl NearestPoint {
     }
 }
 
-/// Distance from an edge of the unit square that counts as rounding.
+/// Distance from a coordinate line of a node that counts as rounding.
 const ON_EDGE: f64 = 1e-9;
 
-/// Rounds a coordinate of the unit square to 0 or 1 if it is nearly there.
+/// Rounds a coordinate to 0 or 1 if it is nearly there.
 fn snapped(x: f64) -> f64 {
     if x < ON_EDGE {
         0.0

@@ -1,19 +1,19 @@
-//! Topology and geometry of meshes of quadrilaterals.
+//! Topology and geometry of meshes of quadrilaterals and triangles.
 
 use std::collections::BTreeMap;
 
 use nalgebra::Vector3;
 
-use super::forms::{CORNERS, NODES, bilinear};
+use super::face::Face;
 
 /// Sine of the angle of two edges of an element at a corner below which it counts as degenerate.
 const DEGENERATE: f64 = 0.05;
 /// Largest number of edges at a node.
-const VALENCE: usize = 8;
+const VALENCE: usize = 12;
 /// Distance of two nodes, relative to the shortest edge of the elements at them, below which they count as coincident.
 const COINCIDENT: f64 = 1e-6;
 
-/// Defect of a mesh of quadrilaterals. Nodes and elements are counted from 0.
+/// Defect of a mesh. Nodes and elements are counted from 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum TopologyDefect {
     /// Element with a node that does not exist.
@@ -83,22 +83,21 @@ pub enum TopologyDefect {
     },
 }
 
-/// Topology of a mesh of quadrilaterals.
+/// Topology of a mesh.
 #[derive(Clone, Debug)]
-pub struct QuadTopology {
+pub struct MeshTopology {
     /// Elements of each edge, with the sense of the edge in the element. Nodes of an edge are in ascending order.
     edges: BTreeMap<[usize; 2], Vec<(usize, bool)>>,
     /// Elements at each node.
     at_node: Vec<Vec<usize>>,
 }
 
-impl QuadTopology {
+impl MeshTopology {
     /// Creates the topology of elements with existing nodes.
-    pub fn new(nodes: usize, elements: &[[usize; NODES]]) -> Self {
+    pub fn new(nodes: usize, elements: &[Face]) -> Self {
         let (mut edges, mut at_node) = (BTreeMap::<_, Vec<_>>::new(), vec![Vec::new(); nodes]);
         for (k, element) in elements.iter().enumerate() {
-            for a in 0..NODES {
-                let [from, to] = [element[a], element[(a + 1) % NODES]];
+            for [from, to] in element.edges() {
                 edges.entry([from.min(to), from.max(to)]).or_default().push((k, from < to));
                 at_node[from].push(k);
             }
@@ -143,19 +142,16 @@ impl QuadTopology {
     }
 
     /// Returns the first defect of a mesh. `crease` is the largest angle of the normals of neighbouring elements, in radians.
-    pub fn defect(
-        nodes: &[Vector3<f64>],
-        elements: &[[usize; NODES]],
-        crease: f64,
-    ) -> Option<TopologyDefect> {
-        for (element, own) in elements.iter().enumerate() {
+    pub fn defect(nodes: &[Vector3<f64>], elements: &[Face], crease: f64) -> Option<TopologyDefect> {
+        for (element, face) in elements.iter().enumerate() {
+            let own = face.nodes();
             if let Some(&node) = own.iter().find(|node| **node >= nodes.len()) {
                 return Some(TopologyDefect::NoSuchNode { element, node });
             }
-            if let Some(a) = (1..NODES).find(|a| own[..*a].contains(&own[*a])) {
+            if let Some(a) = (1..own.len()).find(|a| own[..*a].contains(&own[*a])) {
                 return Some(TopologyDefect::RepeatedNode { element, node: own[a] });
             }
-            if let Some(a) = degenerate_corner(&own.map(|node| nodes[node])) {
+            if let Some(a) = degenerate_corner(face, nodes) {
                 return Some(TopologyDefect::Degenerate { element, node: own[a] });
             }
         }
@@ -166,10 +162,10 @@ impl QuadTopology {
             .or_else(|| topology.defect_of_nodes(nodes, elements))
     }
 
-    fn defect_of_elements(&self, elements: &[[usize; NODES]]) -> Option<TopologyDefect> {
+    fn defect_of_elements(&self, elements: &[Face]) -> Option<TopologyDefect> {
         let mut known = BTreeMap::new();
         elements.iter().enumerate().find_map(|(k, element)| {
-            let mut nodes = *element;
+            let mut nodes = element.nodes().to_vec();
             nodes.sort_unstable();
             known.insert(nodes, k).map(|before| TopologyDefect::Overlap { elements: [before, k] })
         })
@@ -178,7 +174,7 @@ impl QuadTopology {
     fn defect_of_edges(
         &self,
         nodes: &[Vector3<f64>],
-        elements: &[[usize; NODES]],
+        elements: &[Face],
         crease: f64,
     ) -> Option<TopologyDefect> {
         self.edges.iter().find_map(|(edge, of)| match &of[..] {
@@ -189,7 +185,7 @@ impl QuadTopology {
                 Some(TopologyDefect::Orientation { elements: [*a, *b] })
             }
             [(a, _), (b, _)] => {
-                let [m, n] = [a, b].map(|k| element_normal(&elements[*k].map(|node| nodes[node])));
+                let [m, n] = [a, b].map(|k| elements[*k].normal(nodes));
                 let angle = m.cross(&n).norm().atan2(m.dot(&n));
                 (angle > crease).then_some(TopologyDefect::Kink { elements: [*a, *b], angle })
             }
@@ -197,7 +193,7 @@ impl QuadTopology {
         })
     }
 
-    fn defect_of_nodes(&self, nodes: &[Vector3<f64>], elements: &[[usize; NODES]]) -> Option<TopologyDefect> {
+    fn defect_of_nodes(&self, nodes: &[Vector3<f64>], elements: &[Face]) -> Option<TopologyDefect> {
         let (mut valence, mut open) = (vec![0; nodes.len()], vec![0; nodes.len()]);
         for (edge, of) in &self.edges {
             for node in edge {
@@ -222,10 +218,8 @@ impl QuadTopology {
 }
 
 /// Returns two nodes at the same point.
-fn coincident(nodes: &[Vector3<f64>], elements: &[[usize; NODES]]) -> Option<TopologyDefect> {
-    let edges = elements
-        .iter()
-        .flat_map(|own| (0..NODES).map(|a| (nodes[own[a]] - nodes[own[(a + 1) % NODES]]).norm()));
+fn coincident(nodes: &[Vector3<f64>], elements: &[Face]) -> Option<TopologyDefect> {
+    let edges = elements.iter().flat_map(Face::edges).map(|[a, b]| (nodes[a] - nodes[b]).norm());
     let near = COINCIDENT * edges.fold(f64::INFINITY, f64::min);
     let mut order: Vec<usize> = (0..nodes.len()).collect();
     order.sort_by(|a, b| nodes[*a].x.total_cmp(&nodes[*b].x));
@@ -238,24 +232,11 @@ fn coincident(nodes: &[Vector3<f64>], elements: &[[usize; NODES]]) -> Option<Top
     })
 }
 
-/// Returns the unit normal in the middle of an element.
-pub(crate) fn element_normal(x: &[Vector3<f64>; NODES]) -> Vector3<f64> {
-    (x[2] - x[0]).cross(&(x[3] - x[1])).normalize()
-}
-
-/// Returns the unit normal of an element at a corner.
-pub(crate) fn corner_normal(x: &[Vector3<f64>; NODES], corner: usize) -> Vector3<f64> {
-    let [_, of_x, of_y] = bilinear(CORNERS[corner]);
-    let [t, s] = [of_x, of_y].map(|shape| (0..NODES).map(|a| x[a] * shape[a]).sum::<Vector3<f64>>());
-    t.cross(&s).normalize()
-}
-
 /// Returns the first corner of an element that is degenerate or not convex.
-fn degenerate_corner(x: &[Vector3<f64>; NODES]) -> Option<usize> {
-    let normal = (x[2] - x[0]).cross(&(x[3] - x[1]));
-    let unit = normal / normal.norm();
-    (0..NODES).find(|&a| {
-        let [t, s] = [x[(a + 1) % NODES] - x[a], x[(a + 3) % NODES] - x[a]];
+fn degenerate_corner(face: &Face, nodes: &[Vector3<f64>]) -> Option<usize> {
+    let unit = face.normal(nodes);
+    (0..face.nodes().len()).find(|&corner| {
+        let [t, s] = face.corner_edges(corner, nodes);
         let sine = t.cross(&s).dot(&unit) / (t.norm() * s.norm());
         sine.partial_cmp(&DEGENERATE) != Some(std::cmp::Ordering::Greater)
     })

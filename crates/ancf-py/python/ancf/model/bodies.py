@@ -25,6 +25,7 @@ __all__ = [
     "DisplayMesh",
     "DisplayShape",
     "DisplaySphere",
+    "ElementMesh",
     "FlatSurface",
     "Formulation",
     "Helix",
@@ -32,7 +33,6 @@ __all__ = [
     "Layer",
     "MeshGroup",
     "PointMass",
-    "QuadMesh",
     "RevolvedSurface",
     "RigidBody",
     "ShearShell",
@@ -353,15 +353,17 @@ class MeshGroup(Part):
 
 @checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
-class QuadMesh(Part):
-    """Mesh of quadrilaterals: lists of nodes and elements, counted from 0, or a file with them.
+class ElementMesh(Part):
+    """Mesh of quadrilaterals and triangles.
+
+    Lists of nodes and elements, counted from 0, or a file with them.
 
     Attributes
     ----------
     directors
         Directions of the directors at all nodes; by default from the normals of the elements.
     elements
-        Elements: numbers of four nodes each, counter-clockwise seen from the side of the normal.
+        Elements: numbers of four or three nodes each, counter-clockwise seen from the side of the normal.
     file
         Path of a mesh file of Gmsh (.msh, version 2.2 or 4.1, text), relative to the folder of the model
         file, instead of lists.
@@ -375,7 +377,7 @@ class QuadMesh(Part):
 
     """
 
-    _form = "QuadMesh"
+    _form = "ElementMesh"
 
     directors: Points | None = None
     elements: Points | None = None
@@ -680,7 +682,7 @@ class Shell(Surface):
 @checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class ShearShell(Part):
-    """Shear-deformable shell or plate on a mesh of quadrilaterals.
+    """Shear-deformable shell or plate on a mesh of quadrilaterals and triangles.
 
     Attributes
     ----------
@@ -713,7 +715,7 @@ class ShearShell(Part):
     }
 
     name: str = field(kw_only=False)
-    mesh: QuadMesh
+    mesh: ElementMesh
     thickness: float
     material: str | Material
     crease: float | None = None

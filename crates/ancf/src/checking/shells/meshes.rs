@@ -70,13 +70,13 @@ fn defect_finding(path: &str, shell: &ShearShell, defect: TopologyDefect) -> Fin
                 .rests_on([format!("{path}.mesh.nodes")])
         }
         TopologyDefect::RepeatedNode { element, node } => {
-            let expected = "four different nodes: triangles are not supported";
+            let expected = "different nodes; a triangle has a list of three";
             finding(of_element(element), format!("node {node} a second time"), expected)
         }
         TopologyDefect::Degenerate { element, node } => {
             let found = format!("a collapsed or not convex corner at {}", place(shell, node));
             let expected =
-                "a convex quadrilateral, with its nodes in order around it and angles below 177 degrees";
+                "a convex element, with its nodes in order around it and angles between 3 and 177 degrees";
             finding(of_element(element), found, expected).rests_on([format!("{path}.mesh.nodes")])
         }
         TopologyDefect::Branch { nodes: [a, b], elements: [i, j, k] } => {
@@ -120,9 +120,10 @@ fn node_finding(path: &str, shell: &ShearShell, defect: TopologyDefect) -> Findi
         TopologyDefect::Coincident { nodes: [a, b] } => {
             [format!("{}, the point of node {a}", place(shell, b)), "one node at each point".to_owned()]
         }
-        TopologyDefect::Valence { node } => {
-            [format!("{} with more than 8 edges", place(shell, node)), "at most 8 edges at a node".to_owned()]
-        }
+        TopologyDefect::Valence { node } => [
+            format!("{} with more than 12 edges", place(shell, node)),
+            "at most 12 edges at a node".to_owned(),
+        ],
         _ => [String::new(), "a mesh without defects".to_owned()],
     };
     let node = match defect {
@@ -197,10 +198,9 @@ fn rule_of_directors(path: &str, shell: &ShearShell) -> Option<Finding> {
         return Some(no_direction(format!("{path}.mesh.directors[{k}]"), shell.mesh.directors[k]));
     }
     let (points, directors) = (shell.points(), shell.unit_directors());
-    for quad in shell.quads() {
-        for (a, node) in quad.into_iter().enumerate() {
-            let [t, s] = [1, 3].map(|step| points[quad[(a + step) % 4]] - points[node]);
-            if t.cross(&s).normalize().dot(&directors[node]) < TILTED {
+    for face in shell.faces() {
+        for (&node, normal) in face.nodes().iter().zip(face.corner_normals(&points)) {
+            if normal.dot(&directors[node]) < TILTED {
                 let found =
                     format!("a direction far from the normal of an element at {}", place(shell, node));
                 let expected = "directions within 45 degrees of the normals, on the side from which elements are counter-clockwise";
@@ -227,11 +227,7 @@ fn rule_of_axis(model: &IndexedModel<'_>, path: &str, shell: &ShearShell) -> Opt
     }
     let axis = Vector3::from(axis).normalize();
     let (points, directors) = (shell.points(), shell.unit_directors());
-    let normal = |quad: [usize; 4]| {
-        let [a, b, c, d] = quad.map(|node| points[node]);
-        (c - a).cross(&(d - b)).normalize()
-    };
-    let normals = shell.quads().into_iter().map(|quad| (quad[0], normal(quad)));
+    let normals = shell.faces().into_iter().map(|face| (face.nodes()[0], face.normal(&points)));
     let mut all = directors.iter().copied().enumerate().chain(normals);
     all.find(|(_, normal)| normal.cross(&axis).norm() < NORMAL).map(|(node, _)| {
         let found = format!("the normal of the surface near {}", place(shell, node));

@@ -100,7 +100,12 @@ impl<'a> LoadBuilder<'a> {
 
     /// Adds a term.
     pub fn add(&mut self, term: impl Term + 'static) {
-        self.terms.push(Box::new(term));
+        self.add_boxed(Box::new(term));
+    }
+
+    /// Adds a term of a type that is known at run time only.
+    pub fn add_boxed(&mut self, term: Box<dyn Term>) {
+        self.terms.push(term);
     }
 
     /// Adds a force of constant direction at a point.

@@ -25,7 +25,7 @@ pub enum Body {
     Cable(Cable),
     /// Thin shell or plate.
     Shell(Shell),
-    /// Shear-deformable shell or plate on a mesh of quadrilaterals.
+    /// Shear-deformable shell or plate on a mesh of quadrilaterals and triangles.
     ShearShell(ShearShell),
     /// Rigid body.
     Rigid(Rigid),

@@ -20,5 +20,5 @@ pub use parts::{At, EdgeName, EdgePlace, InitialMotion, NamedPosition, NodePlace
 pub use rigid::{PointMass, Rigid};
 pub use shape::Shape;
 pub(crate) use shell_body::{edge_of_shell, named, region_of_shell, shell_body};
-pub use shells::{Layer, Layup, MeshGroup, QuadMesh, ShearShell, Shell, ShellSurface};
+pub use shells::{ElementMesh, ElementNodes, Layer, Layup, MeshGroup, ShearShell, Shell, ShellSurface};
 pub use surface::BodySurface;

@@ -1,6 +1,6 @@
-//! Annular plate and banner.
+//! Annular plate, banner and bracket.
 
-use crate::common::assertions::assert_near;
+use crate::common::assertions::{assert_near, assert_relative};
 use crate::common::models::files::model;
 use crate::common::solutions::Run;
 
@@ -11,6 +11,20 @@ fn slit_annulus_becomes_a_ramp() {
     for (name, reference) in [("outer.y", 17.528), ("inner.y", 13.891)] {
         assert_near(name, *run.column(name).last().unwrap(), reference, 0.1);
     }
+}
+
+/// Reactions balance the force and the weight, and most of the strain energy is the work of the force.
+#[test]
+fn bracket_is_in_equilibrium() {
+    let run = Run::of(&model("bracket"));
+    let last = |name: &str| *run.column(name).last().unwrap();
+    for (axis, force, size) in [("x", 20.0, 1e-9), ("y", 10.0, 1e-9), ("z", -40.0, 0.5)] {
+        let sum = last(&format!("left.f{axis}")) + last(&format!("right.f{axis}"));
+        assert_near(axis, sum, -force, size);
+    }
+    let moved = [last("pin.x") - 0.05, last("pin.y"), last("pin.z") - 0.034];
+    let work = 0.5 * (20.0 * moved[0] + 10.0 * moved[1] - 40.0 * moved[2]);
+    assert_relative("strain energy", last("strain"), work, 0.05);
 }
 
 /// The sheet hardly stretches: the corner remains at the distance of the height from the rail, or nearer.

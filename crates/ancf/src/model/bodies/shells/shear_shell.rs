@@ -1,13 +1,14 @@
 use ancf_mechanics::shells::{
-    NearestPoint, QuadTopology, SurfacePlace, TopologyDefect, directors, stress_axis,
+    Face, MeshTopology, NearestPoint, SurfacePlace, TopologyDefect, directors, stress_axis,
 };
 use nalgebra::Vector3;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::element_mesh::ElementMesh;
+use super::element_nodes::ElementNodes;
 use super::layer::Layer;
 use super::layup::Layup;
-use super::quad_mesh::QuadMesh;
 use crate::model::bodies::parts::{At, EdgeName, EdgePlace, InitialMotion, NodePlace, PointPlace};
 use crate::units::Scaled;
 
@@ -18,11 +19,11 @@ const ON_SURFACE: f64 = 1e-6;
 /// Cosine of the angle from the normal of a plane above which a direction is not in the plane.
 const IN_PLANE: f64 = 1e-6;
 
-/// Shell or plate of four-node elements with transverse shear, on any mesh of quadrilaterals.
+/// Shell or plate with transverse shear, on any mesh of quadrilaterals and triangles.
 ///
 /// Each node has the position r and the director d.
 ///
-/// Source: Yamashita, Valkeapää, Jayakumar & Sugiyama (2015).
+/// Source: Yamashita, Valkeapää, Jayakumar & Sugiyama (2015); Lee & Bathe (2004) for triangles.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(deny_unknown_fields)]
 pub struct ShearShell {
@@ -30,7 +31,7 @@ pub struct ShearShell {
     #[schemars(length(min = 1))]
     pub name: String,
     /// Mesh of the middle surface in the reference state, which is free of stress.
-    pub mesh: QuadMesh,
+    pub mesh: ElementMesh,
     /// Largest angle of the normals of neighbouring elements, in radians. Larger ones are kinks, which are rejected; 0.7 by default.
     #[unit(radian)]
     #[serde(default = "crease", skip_serializing_if = "is_crease")]
@@ -74,14 +75,14 @@ impl ShearShell {
     }
 
     /// Nodes of the elements.
-    pub fn quads(&self) -> Vec<[usize; 4]> {
-        self.mesh.elements.iter().map(|element| element.map(|node| node as usize)).collect()
+    pub fn faces(&self) -> Vec<Face> {
+        self.mesh.elements.iter().map(ElementNodes::face).collect()
     }
 
     /// Unit directors of the nodes of a valid mesh: the given ones, or those of the normals.
     pub(crate) fn unit_directors(&self) -> Vec<Vector3<f64>> {
         if self.mesh.directors.is_empty() {
-            return directors(&self.points(), &self.quads());
+            return directors(&self.points(), &self.faces());
         }
         self.mesh.directors.iter().map(|director| Vector3::from(*director).normalize()).collect()
     }
@@ -92,8 +93,8 @@ impl ShearShell {
     }
 
     /// Topology of a mesh whose elements have existing nodes.
-    pub(crate) fn topology(&self) -> QuadTopology {
-        QuadTopology::new(self.mesh.nodes.len(), &self.quads())
+    pub(crate) fn topology(&self) -> MeshTopology {
+        MeshTopology::new(self.mesh.nodes.len(), &self.faces())
     }
 
     /// Chains of nodes of a named edge.
@@ -131,12 +132,16 @@ impl ShearShell {
 
     /// True if the nodes of all elements exist.
     fn has_nodes(&self) -> bool {
-        self.mesh.elements.iter().flatten().all(|node| (*node as usize) < self.mesh.nodes.len())
+        self.mesh
+            .elements
+            .iter()
+            .flat_map(ElementNodes::nodes)
+            .all(|node| (*node as usize) < self.mesh.nodes.len())
     }
 
     /// First defect of the mesh.
     pub(crate) fn defect(&self) -> Option<TopologyDefect> {
-        QuadTopology::defect(&self.points(), &self.quads(), self.crease)
+        MeshTopology::defect(&self.points(), &self.faces(), self.crease)
     }
 
     /// Node of a position at a node.
@@ -170,9 +175,9 @@ impl ShearShell {
             return (nearest.distance <= self.tolerance()).then_some(nearest.place);
         }
         let node = self.node(at)?;
-        let element = self.mesh.elements.iter().position(|own| own.contains(&(node as u32)))?;
-        let corner = self.mesh.elements[element].iter().position(|own| *own as usize == node)?;
-        Some(SurfacePlace { element, at: [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]][corner] })
+        let places = self.mesh.elements.iter().map(|element| element.face().place_of(node));
+        let (element, at) = places.enumerate().find_map(|(k, at)| at.map(|at| (k, at)))?;
+        Some(SurfacePlace { element, at })
     }
 
     /// Unit normal of the plane of an edge that contains its nodes and their directors, as a plane of symmetry does.
@@ -192,7 +197,7 @@ impl ShearShell {
 
     /// Nearest point of the middle surface.
     pub(crate) fn nearest(&self, point: &[f64; 3]) -> Option<NearestPoint> {
-        NearestPoint::of(&self.points(), &self.quads(), &Vector3::from(*point))
+        NearestPoint::of(&self.points(), &self.faces(), &Vector3::from(*point))
     }
 
     /// Largest distance of a point of the middle surface from it.
@@ -201,11 +206,10 @@ impl ShearShell {
     }
 
     /// Point of the middle surface at a place.
-    pub fn point_at(&self, SurfacePlace { element, at: [x, y] }: SurfacePlace) -> Vector3<f64> {
-        let weights = [(1.0 - x) * (1.0 - y), x * (1.0 - y), x * y, (1.0 - x) * y];
-        let nodes =
-            self.mesh.elements[element].iter().map(|node| Vector3::from(self.mesh.nodes[*node as usize]));
-        nodes.zip(weights).map(|(node, weight)| node * weight).sum()
+    pub fn point_at(&self, SurfacePlace { element, at }: SurfacePlace) -> Vector3<f64> {
+        let face = self.mesh.elements[element].face();
+        let nodes = face.nodes().iter().map(|node| Vector3::from(self.mesh.nodes[*node]));
+        nodes.zip(face.weights(at)).map(|(node, weight)| node * weight).sum()
     }
 
     /// Opposite corners of the box around the nodes.
@@ -226,19 +230,9 @@ impl ShearShell {
         (high - low).norm()
     }
 
-    /// Area of the middle surface, by 2 × 2 points as in the elements.
+    /// Area of the middle surface, as integrated in the elements.
     pub fn area(&self) -> f64 {
-        let near = 0.5 - 0.5 / 3.0_f64.sqrt();
-        let parts = [near, 1.0 - near];
-        let of = |element: &[u32; 4]| -> f64 {
-            let x = element.map(|node| Vector3::from(self.mesh.nodes[node as usize]));
-            let at = |s: f64, t: f64| {
-                let along = (x[1] - x[0]) * (1.0 - t) + (x[2] - x[3]) * t;
-                let beside = (x[3] - x[0]) * (1.0 - s) + (x[2] - x[1]) * s;
-                along.cross(&beside).norm()
-            };
-            parts.iter().flat_map(|s| parts.iter().map(move |t| (s, t))).map(|(s, t)| 0.25 * at(*s, *t)).sum()
-        };
-        self.mesh.elements.iter().map(of).sum()
+        let points = self.points();
+        self.mesh.elements.iter().map(|element| element.face().area(&points)).sum()
     }
 }

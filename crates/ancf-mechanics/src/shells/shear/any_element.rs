@@ -1,0 +1,111 @@
+//! Elements of all shapes.
+
+use std::sync::Arc;
+
+use ancf_solver::equations::Term;
+use nalgebra::{DVector, Vector3};
+
+use super::ShearMedium;
+use super::element::{ShearElement, Shell18, Shell24};
+use super::face::{NODES, Shape};
+use super::forms::Vectors;
+use super::profile::{ShearTables, tangents};
+
+/// Element of a mesh: a quadrilateral or a triangle.
+#[derive(Clone, Debug)]
+pub(crate) enum AnyElement {
+    Quad(Shell24),
+    Triangle(Shell18),
+}
+
+/// Data of an element that do not depend on its number of nodes.
+pub(crate) trait ElementData {
+    /// Returns the material, inertia and loads.
+    fn medium(&self) -> &ShearMedium;
+    /// Returns an entry of the compact mass matrix of the vectors r₁, d₁, r₂, d₂, ..
+    fn mass(&self, a: usize, b: usize) -> f64;
+    /// Returns the first moments of the mass for the vectors r₁, d₁, r₂, d₂, ..
+    fn first_moments(&self) -> &[f64];
+    /// Returns ∫ N_a dA for the nodes.
+    fn areas(&self) -> [f64; NODES];
+    /// Returns the tangents of the reference surface at a point.
+    fn tangents(&self, at: [f64; 2]) -> [Vector3<f64>; 2];
+    /// Returns the strain energy for displacements of the nodal vectors.
+    fn strain_energy(&self, u: &[Vector3<f64>]) -> f64;
+    /// Returns the strains of the surface with the enhanced ones, at its integration points, for displacements of the nodal
+    /// vectors.
+    fn surface_strains(&self, u: &[Vector3<f64>]) -> DVector<f64>;
+}
+
+impl<const V: usize, const S: usize, const C: usize> ElementData for ShearElement<V, S, C> {
+    fn medium(&self) -> &ShearMedium {
+        &self.profile.medium
+    }
+
+    fn mass(&self, a: usize, b: usize) -> f64 {
+        self.profile.mass[a][b]
+    }
+
+    fn first_moments(&self) -> &[f64] {
+        &self.profile.first
+    }
+
+    fn areas(&self) -> [f64; NODES] {
+        let (shape, mut areas) = (self.profile.shape, [0.0; NODES]);
+        for (at, weight) in shape.points() {
+            let ([weights, ..], (_, area)) =
+                (shape.values(*at), tangents(shape, *at, &self.profile.reference));
+            areas.iter_mut().zip(weights).for_each(|(sum, own)| *sum += weight * area * own);
+        }
+        areas
+    }
+
+    fn tangents(&self, at: [f64; 2]) -> [Vector3<f64>; 2] {
+        tangents(self.profile.shape, at, &self.profile.reference).0
+    }
+
+    fn strain_energy(&self, u: &[Vector3<f64>]) -> f64 {
+        self.strain_energy(&vectors(u))
+    }
+
+    fn surface_strains(&self, u: &[Vector3<f64>]) -> DVector<f64> {
+        self.profile.enhanced(&self.strains(&vectors(u)))
+    }
+}
+
+/// Returns nodal vectors as an array.
+fn vectors<const V: usize>(u: &[Vector3<f64>]) -> Vectors<V> {
+    std::array::from_fn(|a| u[a])
+}
+
+impl AnyElement {
+    /// Creates elements with common strain forms, from their coordinates and nodal vectors r₁, d₁, r₂, d₂, .. in the reference
+    /// state. Positions are relative to any point.
+    pub(crate) fn all(
+        elements: impl IntoIterator<Item = (Vec<usize>, Vec<Vector3<f64>>)>,
+        medium: &ShearMedium,
+    ) -> Vec<Self> {
+        let (quads, triangles) =
+            (Arc::new(ShearTables::new(Shape::Quad)), Arc::new(ShearTables::new(Shape::Triangle)));
+        let element = |(coordinates, reference): (Vec<usize>, Vec<Vector3<f64>>)| match reference.len() {
+            6 => Self::Triangle(Shell18::new(coordinates, &vectors(&reference), &triangles, medium)),
+            _ => Self::Quad(Shell24::new(coordinates, &vectors(&reference), &quads, medium)),
+        };
+        elements.into_iter().map(element).collect()
+    }
+
+    /// Returns the element as a term.
+    pub(crate) fn term(&self) -> Box<dyn Term> {
+        match self {
+            Self::Quad(element) => Box::new(element.clone()),
+            Self::Triangle(element) => Box::new(element.clone()),
+        }
+    }
+
+    pub(crate) fn data(&self) -> &dyn ElementData {
+        match self {
+            Self::Quad(element) => element,
+            Self::Triangle(element) => element,
+        }
+    }
+}

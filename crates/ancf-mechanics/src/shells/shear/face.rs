@@ -1,0 +1,199 @@
+//! Nodes and shape functions of an element.
+
+use nalgebra::Vector3;
+use smallvec::SmallVec;
+
+/// Largest number of nodes of an element.
+pub const NODES: usize = 4;
+
+/// Values of the shape functions, and their derivatives by ξ and η, at a point. That of the fourth node of a triangle is zero.
+pub(crate) type ShapeValues = [[f64; NODES]; 3];
+
+/// Point (ξ, η) of an element with a weight.
+pub(crate) type WeightedPoint = ([f64; 2], f64);
+
+/// Nodes of an element, counter-clockwise seen from the side of the normal.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Face {
+    /// Triangle.
+    Triangle([usize; 3]),
+    /// Quadrilateral.
+    Quad([usize; 4]),
+}
+
+/// Shape of an element.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Shape {
+    /// Triangle ξ, η ≥ 0, ξ + η ≤ 1 with linear shape functions.
+    Triangle,
+    /// Unit square with bilinear shape functions.
+    Quad,
+}
+
+impl Face {
+    /// Creates a face of three or four nodes; `None` for other numbers.
+    pub fn new(nodes: &[usize]) -> Option<Self> {
+        match *nodes {
+            [a, b, c] => Some(Self::Triangle([a, b, c])),
+            [a, b, c, d] => Some(Self::Quad([a, b, c, d])),
+            _ => None,
+        }
+    }
+
+    /// Returns the nodes.
+    pub fn nodes(&self) -> &[usize] {
+        match self {
+            Self::Triangle(nodes) => nodes,
+            Self::Quad(nodes) => nodes,
+        }
+    }
+
+    /// Returns the number of a node in the element.
+    pub(crate) fn corner(&self, node: usize) -> Option<usize> {
+        self.nodes().iter().position(|n| *n == node)
+    }
+
+    /// Returns the place of a node in the element.
+    pub fn place_of(&self, node: usize) -> Option<[f64; 2]> {
+        self.corner(node).map(|corner| self.shape().corners()[corner])
+    }
+
+    /// Returns the edges in their order around the element.
+    pub fn edges(&self) -> impl Iterator<Item = [usize; 2]> + '_ {
+        let nodes = self.nodes();
+        (0..nodes.len()).map(|a| [nodes[a], nodes[(a + 1) % nodes.len()]])
+    }
+
+    /// Returns the positions of the nodes.
+    pub(crate) fn points(&self, nodes: &[Vector3<f64>]) -> SmallVec<[Vector3<f64>; NODES]> {
+        self.nodes().iter().map(|node| nodes[*node]).collect()
+    }
+
+    /// Returns the unit normal in the middle, for given positions of all nodes.
+    pub fn normal(&self, nodes: &[Vector3<f64>]) -> Vector3<f64> {
+        match self.points(nodes)[..] {
+            [a, b, c] => (b - a).cross(&(c - a)).normalize(),
+            [a, b, c, d] => (c - a).cross(&(d - b)).normalize(),
+            _ => Vector3::zeros(),
+        }
+    }
+
+    /// Returns the edges that leave a corner, in the sense of the order of the nodes.
+    pub(crate) fn corner_edges(&self, corner: usize, nodes: &[Vector3<f64>]) -> [Vector3<f64>; 2] {
+        let (own, count) = (self.nodes(), self.nodes().len());
+        [1, count - 1].map(|step| nodes[own[(corner + step) % count]] - nodes[own[corner]])
+    }
+
+    /// Returns the unit normals at the nodes.
+    pub fn corner_normals(&self, nodes: &[Vector3<f64>]) -> SmallVec<[Vector3<f64>; NODES]> {
+        let normal = |corner: usize| {
+            let [t, s] = self.corner_edges(corner, nodes);
+            t.cross(&s).normalize()
+        };
+        (0..self.nodes().len()).map(normal).collect()
+    }
+
+    /// Returns the area, as integrated in an element.
+    pub fn area(&self, nodes: &[Vector3<f64>]) -> f64 {
+        let x = self.points(nodes);
+        let area = |(at, weight): &WeightedPoint| {
+            let [_, of_x, of_y] = self.shape().values(*at);
+            let [t, s] =
+                [of_x, of_y].map(|weights| x.iter().zip(weights).map(|(x, w)| x * w).sum::<Vector3<f64>>());
+            weight * t.cross(&s).norm()
+        };
+        self.shape().points().iter().map(area).sum()
+    }
+
+    /// Returns the point of a grid over the unit square, mapped to the element. A triangle has the upper side of the square
+    /// in its third node.
+    pub fn grid_point(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+        match self {
+            Self::Triangle(_) => [x * (1.0 - y), y],
+            Self::Quad(_) => [x, y],
+        }
+    }
+
+    /// Returns the weights of the nodes at a place.
+    pub fn weights(&self, at: [f64; 2]) -> [f64; NODES] {
+        self.shape().values(at)[0]
+    }
+
+    pub(crate) fn shape(&self) -> Shape {
+        match self {
+            Self::Triangle(_) => Shape::Triangle,
+            Self::Quad(_) => Shape::Quad,
+        }
+    }
+}
+
+/// Coordinates of the Gauss points with two points along a side, from 0 to 1.
+const NEAR: f64 = 0.211_324_865_405_187_13;
+const FAR: f64 = 1.0 - NEAR;
+
+const QUAD_POINTS: [WeightedPoint; 4] =
+    [([NEAR, NEAR], 0.25), ([FAR, NEAR], 0.25), ([NEAR, FAR], 0.25), ([FAR, FAR], 0.25)];
+
+/// Exact for polynomials of the second degree.
+const TRIANGLE_POINTS: [WeightedPoint; 3] = [
+    ([1.0 / 6.0, 1.0 / 6.0], 1.0 / 6.0),
+    ([2.0 / 3.0, 1.0 / 6.0], 1.0 / 6.0),
+    ([1.0 / 6.0, 2.0 / 3.0], 1.0 / 6.0),
+];
+
+/// Middle of the triangle, with its area.
+const CENTROID: [WeightedPoint; 1] = [([1.0 / 3.0, 1.0 / 3.0], 0.5)];
+
+impl Shape {
+    /// Returns the number of nodes.
+    pub(crate) const fn nodes(self) -> usize {
+        match self {
+            Self::Triangle => 3,
+            Self::Quad => 4,
+        }
+    }
+
+    /// Returns the places of the nodes.
+    pub(crate) const fn corners(self) -> &'static [[f64; 2]] {
+        match self {
+            Self::Triangle => &[[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]],
+            Self::Quad => &[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]],
+        }
+    }
+
+    /// Returns the point in the middle.
+    pub(crate) const fn middle(self) -> [f64; 2] {
+        match self {
+            Self::Triangle => CENTROID[0].0,
+            Self::Quad => [0.5, 0.5],
+        }
+    }
+
+    /// Returns integration points of area, mass and loads.
+    pub(crate) const fn points(self) -> &'static [WeightedPoint] {
+        match self {
+            Self::Triangle => &TRIANGLE_POINTS,
+            Self::Quad => &QUAD_POINTS,
+        }
+    }
+
+    /// Returns integration points of the membrane strains and curvatures, which are constant on a triangle.
+    pub(crate) const fn surface_points(self) -> &'static [WeightedPoint] {
+        match self {
+            Self::Triangle => &CENTROID,
+            Self::Quad => &QUAD_POINTS,
+        }
+    }
+
+    /// Returns the shape functions and their derivatives at a point.
+    pub(crate) fn values(self, [x, y]: [f64; 2]) -> ShapeValues {
+        match self {
+            Self::Triangle => [[1.0 - x - y, x, y, 0.0], [-1.0, 1.0, 0.0, 0.0], [-1.0, 0.0, 1.0, 0.0]],
+            Self::Quad => [
+                [(1.0 - x) * (1.0 - y), x * (1.0 - y), x * y, (1.0 - x) * y],
+                [-(1.0 - y), 1.0 - y, y, -y],
+                [-(1.0 - x), -x, x, 1.0 - x],
+            ],
+        }
+    }
+}

@@ -1,0 +1,106 @@
+"""Meshes of shear-deformable shells from arrays and meshio."""
+
+from pathlib import Path
+from typing import Any
+
+import meshio
+import numpy as np
+import pytest
+
+import ancf
+from ancf import ElementMesh
+
+ROOT = Path(__file__).parents[4]
+
+
+def plate(mesh: ElementMesh, clamped: str, loaded: str) -> ancf.Result:
+    """Equilibrium of a cantilever plate of a mesh with a load on its other edge."""
+    return ancf.run(
+        {
+            "materials": {"m": {"young": 1.2e6, "poisson": 0, "density": 1}},
+            "bodies": [
+                {"kind": "shear_shell", "name": "s", "mesh": mesh, "thickness": 0.1, "material": "m"}
+            ],
+            "joints": [
+                {
+                    "kind": "support",
+                    "name": "root",
+                    "a": {"body": "s", "at": {"edge": clamped}},
+                    "condition": "clamped",
+                }
+            ],
+            "loads": [{"kind": "edge_force", "body": "s", "edge": loaded, "force": [0, 0, 0.01]}],
+            "probes": [{"name": "end", "on": {"body": "s", "at": {"edge": loaded}}}],
+            "analysis": {"kind": "statics"},
+        }
+    )
+
+
+def test_a_grid_bends_as_a_cantilever() -> None:
+    """F L³/(3 E I) with shear, for a load of 0.01 per length."""
+    u, v = np.meshgrid(np.linspace(0, 2, 9), np.linspace(0, 0.5, 3))
+    result = plate(ancf.grid_mesh(np.stack([u, v, 0 * u], axis=-1)), "u_start", "u_end")
+    bending, shear = 0.01 * 8 / (3 * 1.2e6 * 1e-3 / 12), 0.01 * 2 / (0.6e6 * 0.1 * 5 / 6)
+    assert result["end.z"][-1] == pytest.approx(bending + shear, rel=5e-3)
+
+
+def mixed() -> meshio.Mesh:
+    """Strip of a quadrilateral and two triangles, with an unused node, named edges, points and faces."""
+    points = [[0, 0], [9, 9], [1, 0], [2, 0], [0, 1], [1, 1], [2, 1]]
+    cells: list[tuple[str, Any]] = [
+        ("line", [[0, 4], [6, 3]]),
+        ("quad", [[0, 2, 5, 4]]),
+        ("triangle", [[2, 3, 6], [2, 6, 5]]),
+        ("vertex", [[6]]),
+    ]
+    sets: dict[str, list[Any]] = {
+        "left": [[0], [], [], []],
+        "right": [[1], [], [], []],
+        "outer": [[], [], [0, 1], []],
+        "corner": [[], [], [], [0]],
+    }
+    return meshio.Mesh(points, cells, cell_sets={name: [np.array(own, int) for own in of] for name, of in sets.items()})
+
+
+def test_a_mesh_of_meshio_has_its_sets() -> None:
+    mesh = ancf.mesh_from_meshio(mixed(), scale=0.5)
+    assert mesh.elements == [[0, 1, 4, 3], [1, 2, 5], [1, 5, 4]]
+    assert np.array_equal(np.asarray(mesh.nodes)[4], [0.5, 0.5, 0])
+    groups = mesh.groups or {}
+    assert groups["left"].edges == [[0, 3]]
+    assert groups["outer"].elements == [1, 2]
+    assert groups["corner"].nodes == [5]
+    assert np.isfinite(plate(mesh, "left", "right")["end.z"][-1])
+
+
+def test_a_file_of_gmsh_gives_the_same_shell(tmp_path: Path) -> None:
+    """Physical groups of meshio are those of the own reader, also after a detour by another format."""
+    read = meshio.read(ROOT / "models/bracket.msh")
+    model = ancf.Model.read(ROOT / "models/bracket.toml")
+    own = ancf.run(model)
+    data = model.to_dict()
+    data["bodies"][0]["mesh"] = ancf.mesh_from_meshio(read, scale=1e-3)
+    assert ancf.run(data)["pin.z"][-1] == pytest.approx(own["pin.z"][-1], rel=1e-9)
+    read.write(tmp_path / "bracket.vtk", binary=False)
+    again = ancf.mesh_from_meshio(meshio.read(tmp_path / "bracket.vtk"), scale=1e-3)
+    assert len(again.elements or ()) == len(data["bodies"][0]["mesh"].elements)
+
+
+@pytest.mark.parametrize(
+    ("change", "found"),
+    [
+        (lambda mesh: mesh.cells.pop(1), "set 'left': found node"),
+        (lambda mesh: setattr(mesh.cells[1], "type", "tetra"), "cells: found tetra"),
+        (lambda mesh: mesh.cell_sets["left"].__setitem__(1, np.array([0])), "set 'left': found"),
+    ],
+)
+def test_wrong_meshes_are_rejected(change: Any, found: str) -> None:
+    mesh = mixed()
+    change(mesh)
+    with pytest.raises(ValueError, match=found):
+        ancf.mesh_from_meshio(mesh)
+
+
+def test_arrays_of_another_shape_are_rejected() -> None:
+    with pytest.raises(ValueError, match=r"shape \(3, 3\)"):
+        ancf.grid_mesh(np.zeros((3, 3)))

@@ -60,7 +60,7 @@ impl Frame {
         motion.about = motion.about.map(|about| self.point(about));
     }
 
-    /// `None` for a shell, whose surface is not transformed.
+    /// `None` for a thin shell, whose surface is not transformed.
     fn body(&self, body: &mut Body) -> Option<()> {
         let up = body.up();
         match body {
@@ -96,7 +96,18 @@ impl Frame {
                 mass.center = self.point(mass.center);
                 self.motion(&mut mass.motion);
             }
-            Body::Shell(_) | Body::ShearShell(_) => return None,
+            Body::ShearShell(shell) => {
+                // The stress axis of a shell without an axis depends on the frame.
+                shell.fibre_axis = Some(self.polar(shell.fibre_axis?));
+                shell.mesh.nodes.iter_mut().for_each(|node| *node = self.point(*node));
+                shell.mesh.directors.iter_mut().for_each(|director| *director = self.polar(*director));
+                // The normal is on the other side of a reflected element, unless its nodes have the opposite order.
+                if self.sign() < 0.0 {
+                    shell.mesh.elements.iter_mut().for_each(|element| element.reverse());
+                }
+                self.motion(&mut shell.motion);
+            }
+            Body::Shell(_) => return None,
         }
         Some(())
     }
@@ -235,9 +246,9 @@ impl Frame {
                 load.curvature = self.line_moment(load.curvature, true);
                 load.curvature_end = load.curvature_end.map(|curvature| self.line_moment(curvature, true));
             }
-            Load::EdgeForce(_) | Load::EdgeMoment(_) | Load::SurfaceForce(_) | Load::SurfacePressure(_) => {
-                return None;
-            }
+            Load::SurfaceForce(load) => load.force = self.polar(load.force),
+            Load::SurfacePressure(_) => {}
+            Load::EdgeForce(_) | Load::EdgeMoment(_) => return None,
             Load::External(_) | Load::Custom(_) => return None,
         }
         Some(())

@@ -51,6 +51,7 @@ fn body(draft: &mut Draft, kind: Kind, start: Vector3<f64>) -> Vec<Spot> {
         Kind::Beam | Kind::Quadratic => beam(draft, name, kind, start),
         Kind::Cable => cable(draft, name, start),
         Kind::Rigid => rigid(draft, name, start),
+        Kind::Shell => unreachable!("shells have a generator of their own"),
         Kind::Mass => {
             let mass = draft.random.spread(0.1, 2.0) * draft.sizes.mass();
             let motion = motion(draft, false);
@@ -61,7 +62,7 @@ fn body(draft: &mut Draft, kind: Kind, start: Vector3<f64>) -> Vec<Spot> {
 }
 
 /// Initial motion: none in most cases.
-fn motion(draft: &mut Draft, can_spin: bool) -> Value {
+pub(super) fn motion(draft: &mut Draft, can_spin: bool) -> Value {
     // Joints that stop an initial velocity cause an impulse, whose waves the steps do not resolve.
     let probability = if draft.is_free { 0.8 } else { 0.06 };
     if draft.is_static() || !draft.random.chance(probability) {
@@ -73,7 +74,7 @@ fn motion(draft: &mut Draft, can_spin: bool) -> Value {
     json!({ "velocity": list(&velocity), "spin": list(&spin) })
 }
 
-fn material(draft: &mut Draft, poisson: bool) -> String {
+pub(super) fn material(draft: &mut Draft, poisson: bool) -> String {
     let name = format!("m{}", draft.materials.len());
     let poisson = if poisson { draft.random.choose(&[0.0, 0.3, 0.45]) } else { 0.0 };
     let mut data = json!({ "density": draft.sizes.density, "young": draft.sizes.young, "poisson": poisson });

@@ -3,7 +3,7 @@
 use ancf::nalgebra::Vector3;
 use serde_json::json;
 
-use super::draft::{Draft, Task, list};
+use super::draft::{Draft, Kind, Task, list};
 use crate::random::rounded;
 
 /// Adds a contact to some models of dynamics.
@@ -29,6 +29,9 @@ pub(super) fn add(draft: &mut Draft) {
     let stiffness = rounded(30.0 * draft.sizes.force() / draft.sizes.length / radius);
     let slip = rounded(0.05 * draft.sizes.length / draft.sizes.period());
     let transition = rounded(0.3 * radius);
+    if draft.spots.iter().any(|spot| spot.kind == Kind::Shell) {
+        return; // Shells have no contact.
+    }
     draft.contacts.push(json!({
         "with": with, "stiffness": stiffness, "radius": rounded(radius), "friction": friction, "slip_speed": slip,
         "transition": transition, "points": 3,

@@ -21,12 +21,13 @@ pub(super) enum Kind {
     Cable,
     Rigid,
     Mass,
+    Shell,
 }
 
 impl Kind {
     /// True for bodies with a section or a frame.
     pub(super) const fn has_frame(self) -> bool {
-        matches!(self, Self::Beam | Self::Quadratic | Self::Rigid)
+        matches!(self, Self::Beam | Self::Quadratic | Self::Rigid | Self::Shell)
     }
 
     /// True for bodies with an axis.

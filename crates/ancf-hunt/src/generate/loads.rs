@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use super::draft::{Draft, Kind, Spot, list};
+use super::draft::{Draft, Spot, list};
 use crate::random::rounded;
 
 /// Adds up to three loads.
@@ -106,12 +106,8 @@ fn prestrain(draft: &mut Draft) {
 
 /// Adds a fluid around all flexible bodies.
 fn fluid(draft: &mut Draft) {
-    let mut names: Vec<String> = draft
-        .spots
-        .iter()
-        .filter(|spot| spot.kind != Kind::Rigid && spot.kind != Kind::Mass)
-        .map(|spot| spot.body.clone())
-        .collect();
+    let mut names: Vec<String> =
+        draft.spots.iter().filter(|spot| spot.kind.is_flexible()).map(|spot| spot.body.clone()).collect();
     names.dedup();
     if names.is_empty() {
         return;

@@ -8,5 +8,6 @@ mod joints;
 mod loads;
 mod model;
 mod probes;
+mod shells;
 
 pub use model::model;

@@ -2,7 +2,7 @@ use ancf::Model;
 use serde_json::{Value, json};
 
 use super::draft::{Draft, list};
-use super::{analysis, bodies, contacts, joints, loads, probes};
+use super::{analysis, bodies, contacts, joints, loads, probes, shells};
 use crate::random::Random;
 
 /// Returns the model of a seed.
@@ -12,6 +12,7 @@ use crate::random::Random;
 pub fn model(random: Random) -> Result<Model, String> {
     let mut draft = Draft::new(random);
     bodies::add(&mut draft);
+    shells::add(&mut draft);
     joints::close(&mut draft);
     loads::add(&mut draft);
     contacts::add(&mut draft);

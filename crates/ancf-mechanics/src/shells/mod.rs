@@ -21,8 +21,8 @@ pub use mesh::{ShellEdge, ShellMesh};
 pub use pressure::SurfacePressure;
 pub use profile::{ShellMedium, ShellProfile};
 pub use shear::{
-    Face, FacePressure, MeshTopology, NearestPoint, ShearMedium, ShearShellMesh, ShearStressField,
-    ShellPlace, SurfacePlace, TopologyDefect, directors, stress_axis,
+    Face, MeshTopology, NearestPoint, ShearMedium, ShearShellMesh, ShearStressField, ShellPlace,
+    SurfacePlace, TopologyDefect, directors, face_pressure, stress_axis,
 };
 pub use stress::StressField;
 pub use surface_stress::{LAYERS, SurfaceStress};

@@ -21,6 +21,7 @@ class MeshioCells(Protocol):
     @property
     def type(self) -> str:
         """Name of the type of the cells."""
+
     @property
     def data(self) -> Any:
         """Numbers of the nodes of each cell."""
@@ -32,18 +33,23 @@ class MeshioMesh(Protocol):
     @property
     def points(self) -> Any:
         """Nodes."""
+
     @property
     def cells(self) -> Sequence[MeshioCells]:
         """Blocks of cells."""
+
     @property
     def point_sets(self) -> Mapping[str, Any]:
         """Named nodes."""
+
     @property
     def cell_sets(self) -> Mapping[str, Sequence[Any]]:
         """Named cells: numbers in each block."""
+
     @property
     def cell_data(self) -> Mapping[str, Sequence[Any]]:
         """Data of the cells of each block."""
+
     @property
     def field_data(self) -> Mapping[str, Any]:
         """Numbers and dimensions of physical groups of Gmsh."""
@@ -125,7 +131,9 @@ def _groups(mesh: MeshioMesh, number: Mapping[int, int]) -> dict[str, MeshGroup]
         try:
             return [number[int(node)] for node in nodes]
         except KeyError as missing:
-            raise ValueError(f"set {name!r}: found node {missing}, which no quad and no triangle has") from None
+            raise ValueError(
+                f"set {name!r}: found node {missing}, which no quad and no triangle has"
+            ) from None
 
     members: dict[str, dict[str, list[Any]]] = defaultdict(lambda: defaultdict(list))
     for name, nodes in mesh.point_sets.items():

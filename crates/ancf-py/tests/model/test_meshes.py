@@ -18,9 +18,7 @@ def plate(mesh: ElementMesh, clamped: str, loaded: str) -> ancf.Result:
     return ancf.run(
         {
             "materials": {"m": {"young": 1.2e6, "poisson": 0, "density": 1}},
-            "bodies": [
-                {"kind": "shear_shell", "name": "s", "mesh": mesh, "thickness": 0.1, "material": "m"}
-            ],
+            "bodies": [{"kind": "shear_shell", "name": "s", "mesh": mesh, "thickness": 0.1, "material": "m"}],
             "joints": [
                 {
                     "kind": "support",
@@ -59,7 +57,9 @@ def mixed() -> meshio.Mesh:
         "outer": [[], [], [0, 1], []],
         "corner": [[], [], [], [0]],
     }
-    return meshio.Mesh(points, cells, cell_sets={name: [np.array(own, int) for own in of] for name, of in sets.items()})
+    return meshio.Mesh(
+        points, cells, cell_sets={name: [np.array(own, int) for own in of] for name, of in sets.items()}
+    )
 
 
 def test_a_mesh_of_meshio_has_its_sets() -> None:

@@ -1,10 +1,14 @@
 use super::free_motion::number;
-use crate::model::{Beam, Body, MaterialLaw, Model};
+use crate::model::{Beam, Body, ElementNodes, MaterialLaw, Model, ShearShell};
 
 /// Smallest relative error of a stiffness or deflection that is reported.
 const REPORTED: f64 = 0.01;
 
-/// Describes errors of beams that follow from the choice of their formulation, one sentence each.
+/// Share of triangles in a mesh that is reported.
+const TRIANGLES: f64 = 0.1;
+
+/// Describes errors of beams that follow from the choice of their formulation, and of meshes of shells with many triangles, one
+/// sentence each.
 ///
 /// | error | factor | of |
 /// |---|---|---|
@@ -14,7 +18,24 @@ const REPORTED: f64 = 0.01;
 pub(crate) fn locking_warnings(model: &Model) -> Vec<String> {
     let beams =
         model.bodies.iter().filter_map(|body| if let Body::Beam(beam) = body { Some(beam) } else { None });
-    beams.flat_map(|beam| warnings(model, beam)).collect()
+    let shells = model.bodies.iter().filter_map(|body| match body {
+        Body::ShearShell(shell) => triangle_warning(shell),
+        _ => None,
+    });
+    beams.flat_map(|beam| warnings(model, beam)).chain(shells).collect()
+}
+
+/// Describes a mesh whose triangles, with their constant membrane strains, determine its stiffness.
+fn triangle_warning(shell: &ShearShell) -> Option<String> {
+    let elements = &shell.mesh.elements;
+    let triangles = elements.iter().filter(|element| matches!(element, ElementNodes::Triangle(_))).count();
+    (triangles as f64 > TRIANGLES * elements.len() as f64).then(|| {
+        format!(
+            "shell `{}`: {triangles} of {} elements are triangles, which are too stiff for bending in their plane; quadrilaterals are not",
+            shell.name,
+            elements.len()
+        )
+    })
 }
 
 fn warnings(model: &Model, beam: &Beam) -> Vec<String> {

@@ -161,9 +161,9 @@ fn check_data_by(mut data: Value, rules: Rules) -> (Option<Model>, Vec<Finding>)
     (model.ok(), findings)
 }
 
-/// True for a value in a table with an unknown `kind`, in place of which another form was read.
+/// True for a key of a table with an unknown `kind`, in place of which another form was read.
 fn is_in_unknown_form(path: &str, check: &SchemaCheck) -> bool {
-    path.match_indices('.').any(|(end, _)| check.has_replaced(&format!("{}.kind", &path[..end])))
+    path.rsplit_once('.').is_some_and(|(table, _)| check.has_replaced(&format!("{table}.kind")))
 }
 
 /// Finding with its paths as in the file.

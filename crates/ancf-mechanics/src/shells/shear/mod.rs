@@ -16,7 +16,7 @@ mod topology;
 pub use directors::{directors, stress_axis};
 pub use face::Face;
 pub use mesh::{ShearShellMesh, SurfacePlace};
-pub use pressure::FacePressure;
+pub use pressure::face_pressure;
 pub use profile::ShearMedium;
 pub use shell_place::ShellPlace;
 pub use stress::ShearStressField;

@@ -10,7 +10,7 @@ use crate::functions::Function;
 /// A positive pressure acts along r_ξ × r_η. The load has no potential at a free edge. Its derivative is not symmetric there; the
 /// tangent contains the symmetric part. The work counts as supplied work.
 #[derive(Clone, Debug)]
-pub struct FacePressure<const N: usize> {
+struct FacePressure<const N: usize> {
     shape: Shape,
     coordinates: Vec<usize>,
     /// Positions of the nodes in the reference state, relative to the first one.
@@ -27,15 +27,18 @@ fn sum(weights: &[f64; NODES], x: &[Vector3<f64>]) -> Vector3<f64> {
     x.iter().zip(weights).map(|(x, weight)| x * *weight).sum()
 }
 
-impl FacePressure<4> {
-    /// Returns the pressure, times a function of time, on an element of a mesh.
-    pub fn on(mesh: &ShearShellMesh, element: usize, pressure: f64, function: &Function) -> Box<dyn Term> {
-        match mesh.faces()[element] {
-            Face::Triangle(nodes) => {
-                Box::new(FacePressure::new(mesh, Shape::Triangle, nodes, pressure, function))
-            }
-            Face::Quad(nodes) => Box::new(FacePressure::new(mesh, Shape::Quad, nodes, pressure, function)),
+/// Returns the pressure, times a function of time, on an element of a mesh.
+pub fn face_pressure(
+    mesh: &ShearShellMesh,
+    element: usize,
+    pressure: f64,
+    function: &Function,
+) -> Box<dyn Term> {
+    match mesh.faces()[element] {
+        Face::Triangle(nodes) => {
+            Box::new(FacePressure::new(mesh, Shape::Triangle, nodes, pressure, function))
         }
+        Face::Quad(nodes) => Box::new(FacePressure::new(mesh, Shape::Quad, nodes, pressure, function)),
     }
 }
 

@@ -7,9 +7,6 @@ use super::forms::{
 };
 use crate::shells::laminates::{ThickSection, strain_transform, to_orthonormal};
 
-/// Roundings in a sum of eight products, relative to the sum of their magnitudes.
-const SUM: f64 = 4.0 * f64::EPSILON;
-
 /// Number of enhanced membrane strain modes of a quadrilateral. A triangle has none.
 const MODES: usize = 5;
 
@@ -139,14 +136,32 @@ fn surface_stiffness(shape: Shape, reference: &[Vector3<f64>], medium: &ShearMed
     stiffness
 }
 
+/// Factor α of the transverse shear stiffness h²/(h² + α l²) of triangles.
+const STABILISATION: f64 = 0.1;
+
+/// Reduction of the transverse shear stiffness of a triangle with the longest edge l: h²/(h² + α l²), h² = 12 D/A.
+///
+/// A thin plate has as many edges without shear as coordinates, and locks without this factor. It changes the energy of shear by
+/// terms of the second power of the size of the elements.
+///
+/// Source: Lyly, Stenberg & Vihinen (1993); Bischoff & Bletzinger (2001).
+fn stabilisation(reference: &[Vector3<f64>], medium: &ShearMedium) -> f64 {
+    let section = &medium.section.surface;
+    let trace = |c: &Matrix3<f64>| c[(0, 0)] + c[(1, 1)] + 2.0 * c[(2, 2)];
+    let square = 12.0 * trace(&section.bending) / trace(&section.membrane);
+    let edges = [(0, 2), (2, 4), (4, 0)].map(|(a, b)| (reference[a] - reference[b]).norm_squared());
+    square / (square + STABILISATION * edges.into_iter().fold(0.0, f64::max))
+}
+
 /// Stiffness of the sampled transverse shear strains.
 fn shear_stiffness(shape: Shape, reference: &[Vector3<f64>], medium: &ShearMedium) -> DMatrix<f64> {
     let sampled = sampled_shear(shape).len();
     let mut stiffness = DMatrix::zeros(sampled, sampled);
+    let factor = if shape == Shape::Triangle { stabilisation(reference, medium) } else { 1.0 };
     for (at, weight) in shape.points() {
         let ([t, s], area) = tangents(shape, *at, reference);
         let to_local = shear_transform([&t, &s], &medium.axis);
-        let covariant = to_local.transpose() * medium.section.shear * to_local * (weight * area);
+        let covariant = to_local.transpose() * medium.section.shear * to_local * (factor * weight * area);
         let weights = shear_interpolation(shape, *at);
         for i in 0..sampled {
             for j in 0..sampled {
@@ -216,6 +231,8 @@ impl<const V: usize, const S: usize> ShearProfile<V, S> {
         (strains, stress): (&Strains<S>, &Strains<S>),
         bound: &mut Weighting<V>,
     ) {
+        // Roundings in a sum of V products, relative to the sum of their magnitudes.
+        let sum = 0.5 * V as f64 * f64::EPSILON;
         let time = self.medium.retardation;
         let mut gradients = [[0.0; V]; S];
         let mut errors = [0.0; S];
@@ -223,15 +240,15 @@ impl<const V: usize, const S: usize> ShearProfile<V, S> {
             for a in 0..V {
                 let moved: f64 = form[a].iter().zip(q).map(|(w, q)| w.abs() * q).sum();
                 gradients[k][a] = self.gradients[k][a].norm() + moved;
-                errors[k] += SUM * gradients[k][a] * (q[a] + time * v[a]);
+                errors[k] += sum * gradients[k][a] * (q[a] + time * v[a]);
             }
         }
         for k in 0..S {
             let row = self.stiffness.row(k);
             let error: f64 =
-                row.iter().enumerate().map(|(l, c)| c.abs() * (errors[l] + SUM * strains[l].abs())).sum();
+                row.iter().enumerate().map(|(l, c)| c.abs() * (errors[l] + sum * strains[l].abs())).sum();
             for (bound, gradient) in bound.iter_mut().zip(&gradients[k]) {
-                *bound += (error + SUM * stress[k].abs()) * gradient;
+                *bound += (error + sum * stress[k].abs()) * gradient;
             }
         }
     }

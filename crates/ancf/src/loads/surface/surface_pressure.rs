@@ -1,4 +1,4 @@
-use ancf_mechanics::shells::{FacePressure, SurfacePressure as ElementPressure};
+use ancf_mechanics::shells::{SurfacePressure as ElementPressure, face_pressure};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -34,7 +34,7 @@ impl LoadKind for SurfacePressure {
         let function = builder.function(&self.time);
         if let Some((mesh, shell)) = builder.shear_shell(&self.body) {
             for element in shell.region(self.region.as_deref()).unwrap_or_default() {
-                builder.add_boxed(FacePressure::on(mesh, element, self.pressure, &function));
+                builder.add_boxed(face_pressure(mesh, element, self.pressure, &function));
             }
             return;
         }

@@ -95,6 +95,15 @@ fn wrong_meshes_are_rejected_with_their_element() {
     }
 }
 
+/// A mesh of triangles is a warning with their number; a few among quadrilaterals are not.
+#[test]
+fn many_triangles_are_a_warning() {
+    let warnings = |text: &str| Model::parse(text).unwrap().diagnose().unwrap().warnings.join(" ");
+    assert!(!warnings(STRIP).contains("triangles"));
+    let divided = STRIP.replace("[1, 2, 5, 4]]", "[1, 2, 5], [1, 5, 4]]");
+    assert!(warnings(&divided).contains("2 of 3 elements are triangles"), "{}", warnings(&divided));
+}
+
 /// A pull of σ h per length stretches the strip by σ/E, independent of how the load is stated.
 #[test]
 fn loads_of_edges_points_and_regions() {

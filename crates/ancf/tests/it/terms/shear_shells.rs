@@ -2,7 +2,7 @@
 
 use ancf::mechanics::functions::Function;
 use ancf::mechanics::shells::{
-    Face, FacePressure, Laminate, Ply, PlyElasticity, ShearMedium, ShearShellMesh, directors,
+    Face, Laminate, Ply, PlyElasticity, ShearMedium, ShearShellMesh, directors, face_pressure,
 };
 use ancf::solver::equations::{Local, Term};
 use nalgebra::{Rotation3, Vector3};
@@ -58,7 +58,7 @@ fn face(corners: usize) -> Face {
 fn reference(corners: usize) -> Vec<Vector3<f64>> {
     let points = &nodes()[..corners];
     let mut normals = directors(points, &[face(corners)]);
-    normals[1] = (normals[1] + Vector3::new(0.1, 0.05, 0.0)).normalize();
+    normals[1] = (normals[1] + Vector3::new(0.05, 0.02, 0.0)).normalize();
     points.iter().zip(normals).flat_map(|(point, normal)| [*point, normal]).collect()
 }
 
@@ -90,7 +90,7 @@ pub(super) fn shear_shell_terms() -> impl Iterator<Item = TermCase> {
         let normals = directors(points, &faces);
         let mesh = ShearShellMesh::new(0, points, &normals, faces, &medium(false, [0.0; 2]));
         // The term is renumbered to its own coordinates by the mesh: positions only.
-        let pressure = FacePressure::on(&mesh, 0, 1.7, &Function::ONE);
+        let pressure = face_pressure(&mesh, 0, 1.7, &Function::ONE);
         elements.chain([TermCase {
             name: format!("pressure on a {shape}"),
             term: pressure,
@@ -197,7 +197,7 @@ fn masses_of_rigid_motions_are_exact() {
                 .flat_map(|k| [spin.cross(&nodes[k]) + v, spin.cross(&normals[k])])
                 .flat_map(<[f64; 3]>::from)
                 .collect();
-            let kinetic = |term: &Box<dyn Term>| {
+            let kinetic = |term: &dyn Term| {
                 let own: Vec<f64> = term.coordinates().iter().map(|i| rates[*i]).collect();
                 term.energy(&Local { v: &own, ..local(&REST[..own.len()]) }).kinetic
             };
@@ -205,7 +205,12 @@ fn masses_of_rigid_motions_are_exact() {
             let moment = |a: f64, b: f64, c: f64| a * (yy + zz) + b * (xx + zz) + c * (xx + yy);
             let rotation = moment(x * x, y * y, z * z) - 2.0 * xy * x * y;
             let exact = 0.5 * mass * (v.norm_squared() + rotation);
-            assert_near("kinetic energy", mesh.terms().iter().map(kinetic).sum(), exact, 1e-14);
+            assert_near(
+                "kinetic energy",
+                mesh.terms().iter().map(|term| kinetic(term.as_ref())).sum(),
+                exact,
+                1e-14,
+            );
         }
     }
 }

@@ -23,6 +23,14 @@ impl ElementNodes {
         }
     }
 
+    /// Reverses the order of the nodes, and thus the direction of the normal.
+    pub fn reverse(&mut self) {
+        match self {
+            Self::Quad(nodes) => nodes.reverse(),
+            Self::Triangle(nodes) => nodes.reverse(),
+        }
+    }
+
     /// The element in the theory.
     pub fn face(&self) -> Face {
         match self {

@@ -1,0 +1,91 @@
+//! Shear-deformable shells: curved patches of quadrilaterals and triangles, attached at a node.
+
+use ancf::nalgebra::{Rotation3, Vector3};
+use serde_json::{Value, json};
+
+use super::draft::{Draft, Kind, Spot, list};
+use super::{bodies, joints};
+use crate::random::{Random, rounded};
+
+/// Number that separates the random numbers of shells from those of all other parts.
+const STREAM: u64 = 0x51e1_1a5e_0f5e_ed00;
+
+/// Adds a shell to some models. It has random numbers of its own: models without a shell do not depend on this choice.
+pub(super) fn add(draft: &mut Draft) {
+    let mut own = Random::new(draft.random.clone().bits() ^ STREAM);
+    if !own.chance(0.1) {
+        return;
+    }
+    std::mem::swap(&mut draft.random, &mut own);
+    let roots: Vec<Spot> = draft.spots.iter().filter(|spot| spot.kind.has_frame()).cloned().collect();
+    let is_on_ground = roots.is_empty() || !draft.is_free && draft.random.chance(0.3);
+    let root = (!is_on_ground).then(|| roots[draft.random.index(roots.len())].clone());
+    let start = root.as_ref().map_or_else(Vector3::zeros, |root| root.point);
+    let spots = patch(draft, start);
+    if root.is_some() || !draft.is_free {
+        joints::attach(draft, &spots[0], root.as_ref());
+    }
+    pressure(draft, &spots[0].body);
+    draft.spots.extend(spots);
+    std::mem::swap(&mut draft.random, &mut own);
+}
+
+/// Adds a shell whose first node is at a point. Returns its first and its last node.
+fn patch(draft: &mut Draft, start: Vector3<f64>) -> Vec<Spot> {
+    let name = format!("b{}", draft.bodies.len());
+    let [n, m] = [1 + draft.random.index(3), 1 + draft.random.index(2)];
+    let sides = [0.6, 0.4].map(|size| size * draft.sizes.length * draft.random.within(0.5, 1.0));
+    let curve = draft.random.choose(&[0.0, 0.0, 0.3]) / sides[0];
+    let turn = if draft.random.chance(0.4) { Rotation3::identity() } else { draft.random.rotation() };
+    let jitter = 0.15 * (sides[0] / n as f64).min(sides[1] / m as f64);
+    let mut nodes = Vec::new();
+    for j in 0..=m {
+        for i in 0..=n {
+            let [x, y] = [(i, n, sides[0]), (j, m, sides[1])].map(|(k, count, side)| {
+                let is_inner = k > 0 && k < count;
+                side * k as f64 / count as f64
+                    + if is_inner { jitter * draft.random.within(-1.0, 1.0) } else { 0.0 }
+            });
+            nodes.push(start + turn * Vector3::new(x, y, curve * x * x));
+        }
+    }
+    let mut elements: Vec<Value> = Vec::new();
+    for (i, j) in (0..m).flat_map(|j| (0..n).map(move |i| (i, j))) {
+        let [a, b, c, d] = [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)].map(|(i, j)| j * (n + 1) + i);
+        if draft.random.chance(0.25) {
+            elements.extend([json!([a, b, c]), json!([a, c, d])]);
+        } else {
+            elements.push(json!([a, b, c, d]));
+        }
+    }
+    let thickness = rounded(draft.sizes.diameter * draft.random.within(0.3, 1.0));
+    let points: Vec<Value> = nodes.iter().map(list).collect();
+    let (material, motion) = (bodies::material(draft, true), bodies::motion(draft, true));
+    draft.bodies.push(json!({
+        "kind": "shear_shell", "name": name, "mesh": { "nodes": points, "elements": elements },
+        "thickness": thickness, "material": material, "fibre_axis": list(&(turn * Vector3::x())), "motion": motion,
+    }));
+    let spot = |node: usize| Spot {
+        body: name.clone(),
+        kind: Kind::Shell,
+        at: json!({ "node": node }),
+        point: nodes[node],
+        is_end: true,
+    };
+    vec![spot(0), spot(nodes.len() - 1)]
+}
+
+/// Adds a pressure or a force per area in some cases.
+fn pressure(draft: &mut Draft, body: &str) {
+    if draft.is_free || !draft.random.chance(0.4) {
+        return;
+    }
+    let size = draft.random.spread(0.01, 0.3) * draft.sizes.force() / draft.sizes.length.powi(2);
+    let time = draft.time(false);
+    let load = if draft.random.chance(0.5) {
+        json!({ "kind": "surface_pressure", "body": body, "pressure": rounded(size), "time": time })
+    } else {
+        json!({ "kind": "surface_force", "body": body, "force": list(&draft.vector(size)), "time": time })
+    };
+    draft.loads.push(load);
+}

@@ -1,7 +1,7 @@
 //! Estimated errors of the mesh against a finer mesh.
 
 use ancf::estimate::{DiscretisationErrors, Resolution, ValueError};
-use ancf::model::{Scheme, Step};
+use ancf::model::{Body, Scheme, Step};
 
 use super::law::{Check, Law};
 use super::refinement::{distance, is_position, refined};
@@ -109,7 +109,9 @@ impl Law for MotionErrors {
     fn check(&self, case: &Case, _: &mut Random) -> Check {
         let Some(dynamics) = case.model.analysis.dynamics() else { return Check::Inapplicable };
         let Step::Fixed(step) = dynamics.step else { return Check::Inapplicable };
+        let is_shell = |body: &Body| matches!(body, Body::Shell(_) | Body::ShearShell(_));
         let has_estimate = case.model.contacts.is_empty()
+            && !case.model.bodies.iter().any(is_shell)
             && !matches!(dynamics.scheme, Scheme::Energy | Scheme::DampedEnergy { .. });
         // An initial velocity that joints stop is an impulse, which excites all vibrations.
         let is_pushed = case.model.bodies.iter().any(|body| !body.motion().is_rest());

@@ -1,8 +1,8 @@
 //! Public items of the libraries, beside a listing in the repository.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::{env, fs};
 
 use crate::system::shell::{Done, root, run, say};
 
@@ -49,7 +49,6 @@ pub(crate) fn check(options: &[String]) -> Done {
 
 /// Items of a library, one a line, without those of derived traits.
 fn items(library: &str, rustdoc: &Path) -> Result<String, String> {
-    let description = root().join("target/interface");
     let mut command = Command::new(env!("CARGO"));
     command.args([
         "rustdoc",
@@ -62,10 +61,11 @@ fn items(library: &str, rustdoc: &Path) -> Result<String, String> {
         "--output-format",
         "json",
     ]);
-    command.args(["-Z", "unstable-options", "--out-dir"]).arg(&description);
+    command.args(["-Z", "unstable-options"]);
     command.env("RUSTDOC", rustdoc).current_dir(root());
     run(&format!("items of {library}"), &mut command)?;
-    let file = description.join(format!("{}.json", library.replace('-', "_")));
+    let target = env::var_os("CARGO_TARGET_DIR").map_or_else(|| root().join("target"), PathBuf::from);
+    let file = target.join("doc").join(format!("{}.json", library.replace('-', "_")));
     let mut command = Command::new(env!("CARGO"));
     command.args([
         "run",

@@ -38,5 +38,5 @@ for column in own.columns:
 
 run("fmu", "model.toml", "-o", "model.fmu", "--quiet")
 with zipfile.ZipFile("model.fmu") as fmu:
-    assert any(re.match(r"binaries/[^/]+/model\.(so|dll|dylib)$", name) for name in fmu.namelist())
+    assert any(re.match(r"binaries/[^/]+/ancf\.(so|dll|dylib)$", name) for name in fmu.namelist())
 print(f"ancf {version}: package, program and FMU library of the wheel work in an empty environment")

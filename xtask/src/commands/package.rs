@@ -1,6 +1,7 @@
 //! Installation, checks and tests of the Python package.
 
 use std::env::consts::{DLL_PREFIX, DLL_SUFFIX, EXE_SUFFIX};
+use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use crate::packages::build::Built;
@@ -9,9 +10,14 @@ use crate::system::debian;
 use crate::system::environment::Environment;
 use crate::system::shell::{Done, cargo, root, run, say};
 
-/// Installs the package with the dependencies of its tests and documentation, and runs both.
+/// Installs the wheel with the dependencies of its tests and documentation, runs both, and tries the wheel in an empty
+/// environment.
 pub(crate) fn test() -> Done {
-    let environment = installed()?;
+    let environment = environment()?;
+    let wheel = packed(&environment)?;
+    // The version may be installed already, from another state of the sources.
+    environment.install([Path::new("--force-reinstall"), Path::new("--no-deps"), &wheel])?;
+    environment.install([format!("{}[test,docs]", wheel.display())])?;
     let checks: [(&str, &str, &[&str]); 6] = [
         ("format of Python", "ruff", &["format", "--check", "--quiet", "."]),
         ("lints of Python", "ruff", &["check", "--quiet", "."]),
@@ -20,37 +26,50 @@ pub(crate) fn test() -> Done {
         ("tests of Python", "pytest", &["--quiet", "--numprocesses", "auto", "--dist", "loadfile"]),
         ("site", "sphinx-build", &["-E", "-W", "--keep-going", "--quiet", "docs", "target/site"]),
     ];
-    checks.iter().try_for_each(|(what, program, arguments)| step(&environment, what, program, arguments))
+    checks.iter().try_for_each(|(what, program, arguments)| step(&environment, what, program, arguments))?;
+    wheel::test(&wheel, &environment, &folder())
 }
 
 /// Builds the wheel with the program of the tests inside, and tries it in an empty environment.
 pub(crate) fn wheel() -> Done {
-    let environment = installed()?;
+    let environment = environment()?;
+    let wheel = packed(&environment)?;
+    environment.install(["mypy>=1.11", "pyright[nodejs]>=1.1.390"])?;
+    wheel::test(&wheel, &environment, &folder())
+}
+
+/// Folder of the wheel.
+fn folder() -> PathBuf {
+    root().join("target/wheel")
+}
+
+/// Builds the wheel with the program of the tests inside, and returns its path.
+fn packed(environment: &Environment) -> Result<PathBuf, String> {
     // Same packages as the tests of the documentation: nothing is compiled twice.
     cargo("program", &["build", "--quiet", "--workspace", "--bins", "--examples"], &[])?;
     let built = root().join("target/debug");
     let library = built.join("deps").join(format!("{DLL_PREFIX}ancf_fmu{DLL_SUFFIX}"));
     let built = Built { program: built.join(format!("ancf{EXE_SUFFIX}")), library: Some(library) };
-    let folder = root().join("target/wheel");
-    let file = wheel::build(&environment, &root(), &built, &wheel::Options::default(), &folder)?;
-    wheel::test(&file, &environment, &folder)
+    say("\n== wheel");
+    wheel::build(environment, &root(), &built, &wheel::Options::default(), &folder())
 }
 
 /// Builds the documentation site into `target/site`.
 pub(crate) fn docs() -> Done {
-    step(&installed()?, "site", "sphinx-build", &["-E", "-W", "--keep-going", "docs", "target/site"])?;
+    let environment = environment()?;
+    environment.install([format!("{}[test,docs]", root().display())])?;
+    step(&environment, "site", "sphinx-build", &["-E", "-W", "--keep-going", "docs", "target/site"])?;
     say("the site is in target/site/index.html");
     Ok(())
 }
 
-fn installed() -> Result<Environment, String> {
+/// Opens the environment of the tests.
+fn environment() -> Result<Environment, String> {
     if cfg!(target_os = "linux") && !debian::has_library("libEGL.so.1") {
         // Libraries for drawing without a screen. The tests of scenes fail if they cannot be installed.
         let _ = ["libegl1", "libgl1-mesa-dri"].iter().all(|package| debian::install(package));
     }
-    let environment = Environment::at(&root().join("target/python"))?;
-    environment.install([format!("{}[test,docs]", root().display())])?;
-    Ok(environment)
+    Environment::at(&root().join("target/python"))
 }
 
 fn step(environment: &Environment, what: &str, program: &str, arguments: &[&str]) -> Done {

@@ -80,7 +80,6 @@ def read(app: "Sphinx", name: str, source: list[str]) -> None:
 
 def opened(text: str, playground: str) -> str:
     """Add links that open models of the gallery and complete model files of the text in the playground."""
-
     examples = {example["name"] for example in json.loads((PLAYGROUND / "examples.json").read_text("utf-8"))}
 
     def link(fragment: str) -> str:

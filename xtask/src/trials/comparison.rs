@@ -9,9 +9,9 @@ use crate::system::shell::{Done, say};
 /// Largest difference of a column, relative to its largest value. Systems differ in the last bits of elementary functions, and
 /// Newton's method leaves 1e-9.
 const TOLERANCE: f64 = 1e-7;
-/// Columns of the solver: the last residual is one of rounding errors, and a step at the limit of the stopping rule takes one
-/// iteration more or less.
-const SOLVER: [&str; 2] = ["residual", "iterations"];
+/// Columns of the solver: the last residual and the drift follow from the remaining errors of an iteration, and a step at the limit
+/// of the stopping rule takes one iteration more or less.
+const SOLVER: [&str; 3] = ["residual", "drift", "iterations"];
 /// Analyses whose rows are shapes. Their sign, and the shapes of double eigenvalues, are arbitrary: only values are compared.
 const SHAPES: [&str; 2] = ["modes", "buckling"];
 /// Files with the same bytes on all systems.

@@ -56,15 +56,16 @@ fn node_station(grid: &SurfaceGrid, shell: &ShearShell, node: usize) -> Option<u
 
 /// Stations of an edge, counted from the first station of the body.
 fn edge_stations(grid: &SurfaceGrid, edge: &EdgeName, mesh: Option<&ShearShell>) -> Vec<usize> {
+    if let Some(shell) = mesh {
+        return shell
+            .edge_nodes(edge)
+            .into_iter()
+            .filter_map(|node| node_station(grid, shell, node))
+            .collect();
+    }
     let [n, m] = grid.counts;
     let (count, first, step) = match edge {
-        EdgeName::Named(_) => {
-            let of_mesh = |shell: &ShearShell| -> Vec<usize> {
-                let nodes = shell.edge_nodes(edge).into_iter();
-                nodes.filter_map(|node| node_station(grid, shell, node)).collect()
-            };
-            return mesh.map(of_mesh).unwrap_or_default();
-        }
+        EdgeName::Named(_) => return Vec::new(),
         EdgeName::UStart => (m, 0, n),
         EdgeName::UEnd => (m, n - 1, n),
         EdgeName::VStart => (n, 0, 1),

@@ -95,6 +95,16 @@ fn wrong_meshes_are_rejected_with_their_element() {
     }
 }
 
+/// Groups may have the names of the edges of thin shells.
+#[test]
+fn groups_have_any_names() {
+    let load = "[[loads]]\nkind = \"edge_force\"\nbody = \"s\"\nedge = \"tip\"\nforce = [0, 0, 0.01]\n";
+    let own = STRIP.to_owned() + load;
+    let other = own.replace("root =", "u_start =").replace("edge = \"root\"", "edge = \"u_start\"");
+    let other = other.replace("tip =", "v_end =").replace("edge = \"tip\"", "edge = \"v_end\"");
+    assert_eq!(last(&own, "corner.z").to_bits(), last(&other, "corner.z").to_bits());
+}
+
 /// A mesh of triangles is a warning with their number; a few among quadrilaterals are not.
 #[test]
 fn many_triangles_are_a_warning() {

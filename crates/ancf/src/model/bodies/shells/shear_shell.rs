@@ -99,8 +99,8 @@ impl ShearShell {
 
     /// Chains of nodes of a named edge.
     pub fn edge(&self, edge: &EdgeName) -> Option<&[Vec<u32>]> {
-        let EdgeName::Named(name) = edge else { return None };
-        let group = self.mesh.groups.get(name)?;
+        // Groups may have the names of the edges of thin shells.
+        let group = self.mesh.groups.get(edge.name())?;
         (!group.edges.is_empty()).then_some(&group.edges)
     }
 

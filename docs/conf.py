@@ -2,6 +2,7 @@
 
 import ast
 import base64
+import functools
 import inspect
 import json
 import os
@@ -80,7 +81,6 @@ def read(app: "Sphinx", name: str, source: list[str]) -> None:
 
 def opened(text: str, playground: str) -> str:
     """Add links that open models of the gallery and complete model files of the text in the playground."""
-    examples = {example["name"] for example in json.loads((PLAYGROUND / "examples.json").read_text("utf-8"))}
 
     def link(fragment: str) -> str:
         return f'<a class="playground" href="{playground}#{fragment}">open in the playground</a>'
@@ -97,12 +97,18 @@ def opened(text: str, playground: str) -> str:
         r"\[`(\w+)\.toml`\]\([./]*models/\w+\.toml\)",
         lambda found: (
             f"{found.group()} ({link('example=' + found.group(1))})"
-            if found.group(1) in examples
+            if found.group(1) in examples()
             else found.group()
         ),
         text,
     )
     return re.sub(r"^```toml\n(.*?)^```\n", with_model, text, flags=re.MULTILINE | re.DOTALL)
+
+
+@functools.cache
+def examples() -> set[str]:
+    """Return the names of the models that the playground offers."""
+    return {example["name"] for example in json.loads((PLAYGROUND / "examples.json").read_text("utf-8"))}
 
 
 def publish(app: "Sphinx", exception: Exception | None) -> None:

@@ -114,7 +114,6 @@ def mesh_from_meshio(mesh: MeshioMesh, scale: float = 1.0) -> ElementMesh:
         raise ValueError("cells: found no quad and no triangle")
     used = np.unique(np.concatenate(faces))
     number = {int(node): k for k, node in enumerate(used)}
-
     points = np.asarray(mesh.points, dtype=float)[used] * scale
     return ElementMesh(
         # Points of plane meshes may have two components.

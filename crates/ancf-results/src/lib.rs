@@ -10,6 +10,9 @@
 //! | `display` | surfaces of rigid bodies that contain meshes of files |
 //! | `checkpoint` | state from which the run can be resumed |
 //!
+//! The results folder of a sequence of analyses has the model file `sequence.toml` and a results folder of each analysis, such as
+//! `1-hang`.
+//!
 //! During the run, rows are stored in `results.parquet.parts/` and `states.parquet.parts/`. Each part is a Parquet file with a
 //! fixed number of rows. About once a second, the last part is replaced by a longer one. At the end, the parts become the row
 //! groups of one file. All files are complete at any time, even if the run is killed.
@@ -32,6 +35,6 @@ mod read;
 mod record;
 mod table;
 
-pub use folder::{Folder, SummaryFile, write_atomically};
+pub use folder::{Folder, SummaryFile, sequence_file, write_atomically, write_sequence};
 pub use read::{KILLED, OpenError, Results, RunStatus, StoredState, given_state};
 pub use record::{CheckpointError, CheckpointInterval, ExpectedSize, Recorder};

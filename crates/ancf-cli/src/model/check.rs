@@ -6,11 +6,13 @@ use std::{fs, io, thread};
 
 use ancf::diagnosis::Diagnosis;
 use ancf::model::ModelErrors;
+use ancf::reading::{AnalysisSequence, SequenceStage, with_places};
 use ancf::{Model, Simulation};
 use clap::Args;
 use serde::Serialize;
 
 use super::display::surfaces_of;
+use super::sequence::check_stages;
 use super::start::start_of;
 use crate::terminal::{
     Ended, JsonErrors, print, print_error, print_json, print_model_errors, print_status, reject,
@@ -52,6 +54,17 @@ const WATCH: Duration = Duration::from_millis(300);
 struct CheckedModel<'a> {
     file: &'a str,
     errors: [(); 0],
+    #[serde(skip_serializing_if = "Option::is_none")]
+    diagnosis: Option<&'a Diagnosis>,
+    /// Diagnoses of several analyses.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    analyses: Vec<CheckedAnalysis<'a>>,
+}
+
+/// A model of an analysis of a sequence without errors.
+#[derive(Serialize)]
+struct CheckedAnalysis<'a> {
+    name: &'a str,
     diagnosis: &'a Diagnosis,
 }
 
@@ -73,7 +86,8 @@ struct CheckedFiles<'a> {
 struct Checked {
     name: String,
     text: String,
-    result: Result<Diagnosis, ModelErrors>,
+    /// Diagnoses of all analyses. The name of a single analysis is empty.
+    result: Result<Vec<(String, Diagnosis)>, ModelErrors>,
 }
 
 impl CheckArguments {
@@ -140,15 +154,7 @@ impl Checked {
         } else {
             (file.display().to_string(), Model::read_text(file))
         };
-        let result = read.as_ref().map_err(Clone::clone).and_then(|text| {
-            let model = Model::parse(text)?;
-            surfaces_of(&model, text, file)?;
-            let diagnosis = model.diagnose()?;
-            if model.starts_from().is_some() {
-                start_of(&model, &Simulation::new(&model)?, text, file)?;
-            }
-            Ok(diagnosis)
-        });
+        let result = read.as_ref().map_err(Clone::clone).and_then(|text| diagnose(text, file));
         Self { name, text: read.unwrap_or_default(), result }
     }
 
@@ -156,8 +162,13 @@ impl Checked {
     fn report(&self) {
         let Self { name, text, result } = self;
         match result {
-            Ok(diagnosis) => {
-                print(&diagnosis.to_string());
+            Ok(diagnoses) => {
+                for (analysis, diagnosis) in diagnoses {
+                    if !analysis.is_empty() {
+                        print(&format!("analysis `{analysis}`\n"));
+                    }
+                    print(&diagnosis.to_string());
+                }
                 let next = if name == STDIN { String::new() } else { format!("; next: ancf run {name}") };
                 print_status(&format!("done: {name} has no errors{next}"));
             }
@@ -169,9 +180,10 @@ impl Checked {
     fn report_briefly(&self) {
         let Self { name, text, result } = self;
         match result {
-            Ok(Diagnosis { warnings, .. }) => {
+            Ok(diagnoses) => {
                 print(&format!("{name}: no errors\n"));
-                warnings.iter().for_each(|warning| print(&format!("{name}: warning: {warning}\n")));
+                let warnings = diagnoses.iter().flat_map(|(_, diagnosis)| &diagnosis.warnings);
+                warnings.for_each(|warning| print(&format!("{name}: warning: {warning}\n")));
             }
             Err(errors) => print_model_errors(errors, name, text),
         }
@@ -179,9 +191,36 @@ impl Checked {
 
     fn json(&self) -> CheckedFile<'_> {
         let Self { name, result, .. } = self;
-        match result {
-            Ok(diagnosis) => CheckedFile::Valid(CheckedModel { file: name, errors: [], diagnosis }),
-            Err(errors) => CheckedFile::Invalid(JsonErrors::from_errors(errors, name)),
+        let diagnoses = match result {
+            Ok(diagnoses) => diagnoses,
+            Err(errors) => return CheckedFile::Invalid(JsonErrors::from_errors(errors, name)),
+        };
+        let (mut diagnosis, mut analyses) = (None, Vec::new());
+        for (name, found) in diagnoses {
+            match name.as_str() {
+                "" => diagnosis = Some(found),
+                name => analyses.push(CheckedAnalysis { name, diagnosis: found }),
+            }
         }
+        CheckedFile::Valid(CheckedModel { file: name, errors: [], diagnosis, analyses })
     }
+}
+
+/// Diagnoses of the model of a file, or of the models of all its analyses.
+fn diagnose(text: &str, file: &Path) -> Result<Vec<(String, Diagnosis)>, ModelErrors> {
+    if let Some(sequence) = AnalysisSequence::parse(text)? {
+        check_stages(&sequence, text)?;
+        surfaces_of(&sequence.stages[0].model, text, file)?;
+        let diagnosis = |stage: &SequenceStage| Ok((stage.name.clone(), stage.model.diagnose()?));
+        return sequence.stages.iter().map(diagnosis).collect();
+    }
+    let model = Model::parse(text)?;
+    surfaces_of(&model, text, file)?;
+    let diagnosis = model.diagnose()?;
+    let has_conditions = model.analysis.dynamics().is_some_and(|own| !own.until.is_empty());
+    if model.starts_from().is_some() || has_conditions {
+        let simulation = Simulation::new(&model).map_err(|errors| with_places(errors, text))?;
+        start_of(&model, &simulation, text, file)?;
+    }
+    Ok(vec![(String::new(), diagnosis)])
 }

@@ -6,6 +6,7 @@ mod requested_error;
 mod resume;
 mod run;
 mod run_summary;
+mod sequence;
 mod study;
 mod study_summary;
 

@@ -30,12 +30,38 @@ pub fn checkpoint_interval(text: &str) -> Result<CheckpointInterval, String> {
 /// Size of result files in bytes above which a run announces it.
 const LARGE: f64 = 50e6;
 
+/// Recorded run.
+pub struct Recorded {
+    pub ended: Ended,
+    /// Time reached; in statics, the load factor.
+    pub time: f64,
+    /// JSON output of the run.
+    pub json: serde_json::Value,
+}
+
+impl Recorded {
+    /// Run that did not begin.
+    pub const fn rejected(ended: Ended) -> Self {
+        Self { ended, time: 0.0, json: serde_json::Value::Null }
+    }
+}
+
+/// Command whose output is that of a run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Command {
+    /// The command runs one analysis, whose JSON output is printed.
+    Single,
+    /// The command runs a sequence of analyses, and prints their JSON output.
+    Sequence,
+}
+
 /// Runs and records a simulation, and reports its outcome.
 pub fn record(
+    command: Command,
     model: &Model,
     recorder: Recorder,
     run: impl FnOnce(&mut dyn Observer) -> Result<Summary, ancf::Error>,
-) -> Result<Ended> {
+) -> Result<Recorded> {
     let clock = Instant::now();
     let progress = RunProgress::of(model);
     let size = recorder.expected_size(model);
@@ -49,10 +75,10 @@ pub fn record(
     let folder = recorder.folder().path().display().to_string();
     if let Err(ancf::Error::Checkpoint(mismatch)) = &summary {
         let path = recorder.folder().checkpoint();
-        return Ok(reject(&format!(
+        return Ok(Recorded::rejected(reject(&format!(
             "{}: {mismatch}; without this file the run starts from the beginning",
             path.display()
-        )));
+        ))));
     }
     let summary = summary.map_err(|error| with_folder(error, is_begun.then_some(&folder)))?;
     let seconds = clock.elapsed().as_secs_f64();
@@ -69,8 +95,12 @@ pub fn record(
     let is_motion = model.analysis.dynamics().is_some();
     let has_shells = model.has_shells();
     let model = recorder.name();
-    print_json(&RunJson { folder, model, wall_seconds: seconds, summary: &summary, columns });
-    Ok(match summary.outcome {
+    let output = RunJson { folder, model, wall_seconds: seconds, summary: &summary, columns };
+    let (time, json) = (summary.time, serde_json::to_value(&output)?);
+    if command == Command::Single {
+        print_json(&output);
+    }
+    let ended = match summary.outcome {
         Outcome::Finished => {
             // An unresolved mesh is among the warnings.
             let errors = summary.errors.as_ref().filter(|errors| errors.resolution != Resolution::Unresolved);
@@ -83,6 +113,7 @@ pub fn record(
                     "errors: not estimated; `--errors` states those of the time steps and of the mesh",
                 );
             }
+            summary.ended_by.iter().for_each(|why| print_status(&format!("ended: {why}")));
             print_status(&sentence);
             Ended::Done
         }
@@ -94,7 +125,8 @@ pub fn record(
             print_error(&sentence);
             Ended::Failed
         }
-    })
+    };
+    Ok(Recorded { ended, time, json })
 }
 
 /// Adds the folder of the results so far, if any, to an error.

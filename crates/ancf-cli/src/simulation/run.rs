@@ -3,16 +3,18 @@
 use std::path::{Path, PathBuf};
 
 use ancf::estimate::MeshStep;
+use ancf::reading::{AnalysisSequence, with_places};
 use ancf::{Model, RefinedModel, Simulation, can_refine, refine};
 use ancf_report::BUDGET;
-use ancf_results::{CheckpointInterval, Folder, Recorder};
+use ancf_results::{CheckpointInterval, Folder, Recorder, sequence_file, write_sequence};
 use anyhow::Result;
 use clap::Args;
 
 use super::model_text::{with_elements, with_errors};
-use super::recording::{checkpoint_interval, record};
+use super::recording::{Command, checkpoint_interval, record};
 use super::requested_error::requested_error;
-use crate::model::{start_of, surfaces_of};
+use super::sequence::SequenceRun;
+use crate::model::{check_stages, start_of, surfaces_of};
 use crate::results::{REPORT, write_report};
 use crate::terminal::{Ended, interrupt, print_error, print_status, refuse, reject};
 
@@ -63,7 +65,7 @@ impl RunArguments {
             Ok(folder) => folder,
             Err(message) => return Ok(reject(&message)),
         };
-        let ended = self.run_into(&folder)?;
+        let (ended, folder) = self.run_into(folder)?;
         if self.open && ended == Ended::Done {
             let report = folder.join(REPORT);
             if let Some(ended) = write_report(&folder, &report, BUDGET)? {
@@ -83,7 +85,7 @@ impl RunArguments {
         if folder.exists() && !folder.is_dir() {
             return Err(format!("{} is a file, expected a folder for the results", folder.display()));
         }
-        if self.output.is_none() && !Folder::new(&folder).is_free() {
+        if self.output.is_none() && !Folder::new(&folder).is_free() && !sequence_file(&folder).exists() {
             return Err(format!(
                 "the folder {} contains other files than results; choose the folder of the results with `-o`",
                 folder.display()
@@ -92,17 +94,58 @@ impl RunArguments {
         Ok(folder)
     }
 
-    fn run_into(&self, folder: &Path) -> Result<Ended> {
-        let read = Model::read_text(&self.file).and_then(|text| {
-            let mut model = Model::parse(&text)?;
+    /// Runs the model into a folder. Returns also the folder of the last results.
+    fn run_into(&self, folder: PathBuf) -> Result<(Ended, PathBuf)> {
+        let text = Model::read_text(&self.file);
+        let sequence = text.as_ref().map_err(Clone::clone).and_then(|text| AnalysisSequence::parse(text));
+        match (text, sequence) {
+            (Err(errors), _) | (_, Err(errors)) => Ok((refuse(&errors, &self.file), folder)),
+            (Ok(text), Ok(None)) => Ok((self.run_single(text, &folder)?, folder)),
+            (Ok(text), Ok(Some(sequence))) => self.run_sequence(text, sequence, folder),
+        }
+    }
+
+    fn run_sequence(
+        &self,
+        mut text: String,
+        mut sequence: AnalysisSequence,
+        folder: PathBuf,
+    ) -> Result<(Ended, PathBuf)> {
+        if self.to.is_some() {
+            let message = "--to: refines the mesh of a single analysis, and the file has a list of analyses";
+            return Ok((reject(message), folder));
+        }
+        if self.errors {
+            text = with_errors(&text)?;
+            match AnalysisSequence::parse(&text) {
+                Ok(changed) => sequence = changed.unwrap_or(sequence),
+                Err(errors) => return Ok((refuse(&errors, &self.file), folder)),
+            }
+        }
+        let checked = check_stages(&sequence, &text);
+        let surfaces = checked.and_then(|()| surfaces_of(&sequence.stages[0].model, &text, &self.file));
+        let surfaces = match surfaces {
+            Ok(surfaces) => surfaces,
+            Err(errors) => return Ok((refuse(&errors, &self.file), folder)),
+        };
+        write_sequence(&folder, &text)?;
+        let (file, checkpoint) = (self.file.as_path(), self.checkpoint);
+        let ended = SequenceRun { file, folder: &folder, surfaces, checkpoint, interrupt: interrupt()? }
+            .run(&sequence, false)?;
+        let last = sequence.stages.last().map(|stage| folder.join(&stage.folder));
+        Ok((ended, last.unwrap_or(folder)))
+    }
+
+    fn run_single(&self, text: String, folder: &Path) -> Result<Ended> {
+        let prepared = Model::parse(&text).and_then(|mut model| {
             model.output.errors |= self.errors;
             let surfaces = surfaces_of(&model, &text, &self.file)?;
-            let simulation = Simulation::new(&model)?;
+            let simulation = Simulation::new(&model).map_err(|errors| with_places(errors, &text))?;
             let start = start_of(&model, &simulation, &text, &self.file)?;
-            Ok((text, model, simulation, surfaces, start))
+            Ok((model, simulation, surfaces, start))
         });
-        let (text, model, simulation, surfaces, start) = match read {
-            Ok(read) => read,
+        let (model, simulation, surfaces, start) = match prepared {
+            Ok(prepared) => prepared,
             Err(errors) => return Ok(refuse(&errors, &self.file)),
         };
         let text = if self.errors { with_errors(&text)? } else { text };
@@ -115,23 +158,26 @@ impl RunArguments {
         let Some(requested) = self.to else {
             let simulation = simulation.with_interrupt(interrupt()?);
             let recorder = recorder(&text, &model, &simulation);
-            return record(&model, recorder, |observer| match &start {
+            let recorded = record(Command::Single, &model, recorder, |observer| match &start {
                 Some(start) => Ok(simulation.run_from(start, observer)?),
                 None => Ok(simulation.run(observer)?),
             });
+            return Ok(recorded?.ended);
         };
-        if !can_refine(&model.analysis) {
+        if !can_refine(&model.analysis) || start.is_some() {
             return Ok(reject(
-                "--to: refines the meshes of statics, modes and buckling; `--errors` states the errors of motions",
+                "--to: refines the meshes of statics, modes and buckling that start in the undeformed state; `--errors` states the \
+                 errors of motions",
             ));
         }
         let on_mesh = |number: usize, mesh: &MeshStep| print_status(&format!("mesh {number}: {mesh}"));
         let RefinedModel { model, simulation, history } = refine(&model, requested, &interrupt()?, on_mesh)?;
         let text = with_elements(&text, &model)?;
-        record(&model, recorder(&text, &model, &simulation), |observer| {
+        let recorded = record(Command::Single, &model, recorder(&text, &model, &simulation), |observer| {
             let mut summary = simulation.run(observer)?;
             history.add_to(&mut summary);
             Ok(summary)
-        })
+        });
+        Ok(recorded?.ended)
     }
 }

@@ -15,6 +15,8 @@ use super::output_mode::is_quiet;
 /// Progress bar of a motion: time, step size, Newton iterations of the last step, steps per second, remaining time.
 pub struct RunProgress {
     bar: ProgressBar,
+    /// Time at the start.
+    start: f64,
     duration: f64,
     /// True if each row is a step.
     has_steps: bool,
@@ -64,18 +66,18 @@ impl RunProgress {
     /// Creates a bar of a motion. It is hidden without a terminal.
     pub fn of(model: &Model) -> Self {
         let Some(settings) = model.analysis.dynamics().filter(|_| !is_quiet()) else {
-            return Self::with(ProgressBar::hidden(), 1.0, false);
+            return Self::with(ProgressBar::hidden(), [0.0, 1.0], false);
         };
         let bar = bar(TICKS, "{bar:30} {percent:>3} %  {msg}  [{elapsed_precise}, {eta} left]");
         if model.initial.from == Origin::Equilibrium {
             bar.set_message("equilibrium at the start");
         }
-        Self::with(bar, settings.duration, model.output.interval.is_none())
+        Self::with(bar, [model.initial.start_time, settings.duration], model.output.interval.is_none())
     }
 
-    fn with(bar: ProgressBar, duration: f64, has_steps: bool) -> Self {
+    fn with(bar: ProgressBar, [start, duration]: [f64; 2], has_steps: bool) -> Self {
         let now = Instant::now();
-        Self { bar, duration, has_steps, iterations: None, time: 0.0, rows: 0, begun: now, shown: now }
+        Self { bar, start, duration, has_steps, iterations: None, time: start, rows: 0, begun: now, shown: now }
     }
 
     /// Message of a row at time `t`.
@@ -105,7 +107,7 @@ impl Sink for RunProgress {
         if self.shown.elapsed() >= REDRAW {
             let iterations = self.iterations.and_then(|column| row.get(column)).copied().unwrap_or(0.0);
             self.bar.set_message(self.message(t, iterations));
-            self.bar.set_position((t / self.duration * TICKS as f64) as u64);
+            self.bar.set_position(((t - self.start) / self.duration * TICKS as f64) as u64);
             self.shown = Instant::now();
         }
         self.time = t;

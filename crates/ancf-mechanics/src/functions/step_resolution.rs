@@ -27,19 +27,20 @@ impl Function {
     ///
     /// Its deviation is that beyond the values at both ends of a step, so a single jump has no effect. Groups of steps are
     /// enclosed by interval arithmetic, so no pulse is missed. User-defined functions are not examined.
-    pub fn unresolved_variation(&self, duration: f64, step: f64) -> Option<Variation> {
+    pub fn unresolved_variation(&self, [start, duration]: [f64; 2], step: f64) -> Option<Variation> {
         if !self.may_vary_unseen() || matches!(self, Self::External { .. }) {
             return None;
         }
         let count = (duration / step).ceil().min(1e15) as u64;
-        let mut range = Interval::point(self.value(0.0));
+        let mut range = Interval::point(self.value(start));
         let include = |range: &mut Interval, value: f64| {
             if value.is_finite() {
                 *range = range.hull(Interval::point(value));
             }
         };
-        (1..=SAMPLES).for_each(|i| include(&mut range, self.value(duration * i as f64 / SAMPLES as f64)));
-        let time = |i: u64| (i as f64 * step).min(duration);
+        let sample = |i| start + duration * i as f64 / SAMPLES as f64;
+        (1..=SAMPLES).for_each(|i| include(&mut range, self.value(sample(i))));
+        let time = |i: u64| start + (i as f64 * step).min(duration);
         let group = |first: u64, end: u64| {
             let bounds = self.bounds(time(first), time(end));
             let bent = 0.125 * step * step * bounds.acceleration.magnitude();

@@ -55,7 +55,7 @@ pub(crate) fn load(py: Python<'_>, path: PathBuf) -> PyResult<Bound<'_, PyDict>>
 
 fn unreadable(py: Python<'_>, error: OpenError) -> PyErr {
     match error {
-        OpenError::NoRun(_) => PyFileNotFoundError::new_err(error.to_string()),
+        OpenError::NoRun(_) | OpenError::Sequence { .. } => PyFileNotFoundError::new_err(error.to_string()),
         OpenError::Model { path, errors } => model_error(py, &errors, Some(&path.display().to_string())),
         OpenError::Read(error) if error.kind() == io::ErrorKind::OutOfMemory => {
             PyMemoryError::new_err("the results do not fit into memory")

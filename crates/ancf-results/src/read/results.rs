@@ -10,7 +10,9 @@ use ancf::{Model, Simulation};
 
 use super::open_error::OpenError;
 use super::run_status::RunStatus;
-use crate::folder::{Folder, SummaryFile, damaged, has_summary_checksum, read_summary, with_path};
+use crate::folder::{
+    Folder, SummaryFile, damaged, has_summary_checksum, read_summary, sequence_folders, with_path,
+};
 use crate::table::{Layout, has_checksums, metadata_of_table, rows_of_part, state_layout, verify};
 
 /// Stored state of a run.
@@ -43,7 +45,11 @@ impl Results {
         let file = folder.model();
         let bytes = match fs::read(&file) {
             Err(error) if matches!(error.kind(), io::ErrorKind::NotFound | io::ErrorKind::NotADirectory) => {
-                return Err(OpenError::NoRun(folder.path().to_owned()));
+                let path = folder.path().to_owned();
+                return Err(match sequence_folders(&path) {
+                    Some(analyses) => OpenError::Sequence { folder: path, analyses },
+                    None => OpenError::NoRun(path),
+                });
             }
             bytes => bytes.map_err(|error| with_path(&error, &file))?,
         };

@@ -81,7 +81,7 @@ impl Recorder {
             text: text.to_owned(),
             selection: Selection {
                 rows: RowSelection::new(model.output.every),
-                states: StateSelection::new(simulation, &model.analysis, model.output.states),
+                states: StateSelection::new(simulation, model),
                 last: None,
             },
             interval: None,

@@ -1,5 +1,5 @@
 use ancf::Simulation;
-use ancf::model::{Analysis, Model};
+use ancf::model::Model;
 use serde::{Deserialize, Serialize};
 
 use crate::table::state_layout;
@@ -10,6 +10,8 @@ use crate::table::state_layout;
 /// states are selected.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub(super) struct StateSelection {
+    /// Time at the start of a motion.
+    start: f64,
     /// Time between two states; `None` selects all.
     interval: Option<f64>,
     /// Number of the next interval without a state.
@@ -25,12 +27,13 @@ const MAX_VALUES: usize = 1 << 27;
 
 impl StateSelection {
     /// Selection of about `count` states; fewer if the states are large.
-    pub(super) fn new(simulation: &Simulation, analysis: &Analysis, count: u32) -> Self {
+    pub(super) fn new(simulation: &Simulation, model: &Model) -> Self {
         let most = (MAX_VALUES / state_layout(simulation).width()).max(2);
+        let (count, analysis) = (model.output.states, &model.analysis);
         let count = usize::try_from(count).unwrap_or(usize::MAX).min(most);
         let interval = analysis.dynamics().map(|dynamics| dynamics.duration / (count.max(2) - 1) as f64);
         let interval = interval.filter(|interval| *interval > 0.0);
-        Self { interval, next: 0, rows: 0, has_last: false }
+        Self { start: model.initial.start_time, interval, next: 0, rows: 0, has_last: false }
     }
 
     /// Expected number of states of a motion.
@@ -45,7 +48,7 @@ impl StateSelection {
     /// Counts a row, given its first number. Returns true if its state is selected.
     pub(super) fn is_due(&mut self, first: f64) -> bool {
         // The tolerance selects instants that are at the limit of an interval except for rounding.
-        let intervals = self.interval.map(|h| first / h + 1e-6);
+        let intervals = self.interval.map(|h| (first - self.start) / h + 1e-6);
         self.has_last = intervals.is_none_or(|intervals| intervals >= self.next as f64);
         if let (true, Some(intervals)) = (self.has_last, intervals) {
             self.next = intervals as u64 + 1;

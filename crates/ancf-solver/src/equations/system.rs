@@ -5,6 +5,7 @@ use std::sync::Arc;
 use super::batch::{Batch, LaneStorage, LocalLanes, PlacedBatch, TangentPlaces};
 use super::contact_pairs::{ActiveContacts, ActiveGroup, ContactSearch};
 use super::dependence::scaled_constraint_rows;
+use super::motion_equations::EquationsOfMotion;
 use super::scatter::{Scatter, pattern_of, scatters};
 use super::term_sums::LocalState;
 use super::terms::{LOCAL, Local, LocalMatrix, State, Term};
@@ -39,6 +40,8 @@ pub struct System {
     /// Batches by residual rows and by matrix entries.
     pub(super) by_rows: ThreadParts,
     pub(super) by_entries: ThreadParts,
+    /// Residual that is subtracted in proportion to 1 − s, with the load factor s.
+    pub(super) released: Option<Arc<[f64]>>,
 }
 
 impl fmt::Debug for System {
@@ -75,6 +78,7 @@ impl System {
             places: Arc::default(),
             by_rows: ThreadParts::new(&[]),
             by_entries: ThreadParts::new(&[]),
+            released: None,
         }
         .in_batches(Arc::default())
     }
@@ -149,6 +153,7 @@ impl System {
             unbatched_constraints: Vec::new(),
             by_rows: ThreadParts::new(&[]),
             by_entries: ThreadParts::new(&[]),
+            released: self.released.clone(),
             ..*self
         }
         .in_batches(Arc::clone(&self.batches));
@@ -164,6 +169,22 @@ impl System {
         let unknowns = multipliers.into_iter().map(|multiplier| self.coordinates + multiplier);
         Arc::make_mut(&mut self.pattern).share(unknowns);
         self
+    }
+
+    /// System that is in equilibrium in a state at the load factor s = 0, from which it is released in proportion to s.
+    ///
+    /// The equations are r(q, λ, s) − (1 − s) r(q₀, λ₀, 0) = 0: forces that hold the state, and gaps of constraints, decrease to
+    /// zero at the full load s = 1. Statics only: the equations of motion and the tangent with respect to s lack this part.
+    ///
+    #[must_use]
+    pub fn released_from(&self, start: &State) -> Self {
+        let mut held = State { load: 0.0, ..start.clone() };
+        held.v.fill(0.0);
+        held.a.fill(0.0);
+        let complete = self.with_active_terms(&held);
+        let mut residual = vec![0.0; self.coordinates + self.multipliers];
+        complete.as_ref().map_or(self, |(system, _)| system).residual(&held, &mut residual);
+        Self { released: Some(residual.into()), ..self.clone() }
     }
 
     /// Returns the searches for contacts.

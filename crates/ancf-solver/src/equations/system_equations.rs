@@ -32,6 +32,9 @@ impl EquationsOfMotion for System {
             });
         });
         self.add(self.unbatched(), s, r, |term, at, rows| term.residual(at, rows));
+        if let Some(released) = &self.released {
+            r.iter_mut().zip(&**released).for_each(|(r, at_start)| *r -= (1.0 - s.load) * at_start);
+        }
     }
 
     fn constraints(&self, s: &State, level: Level, phi: &mut [f64]) {

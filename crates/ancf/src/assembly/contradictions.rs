@@ -63,10 +63,12 @@ fn instants(model: &Model) -> Vec<f64> {
     if model.has_external_functions(false) {
         return vec![0.0]; // What drives will do is not known yet, but that they start from 0.
     }
-    let end = dynamics.duration;
-    let mut times: Vec<f64> = (0..=INSTANTS).map(|k| end * f64::from(k) / f64::from(INSTANTS)).collect();
+    let (start, duration) = (model.initial.start_time, dynamics.duration);
+    let end = start + duration;
+    let instant = |k| start + duration * f64::from(k) / f64::from(INSTANTS);
+    let mut times: Vec<f64> = (0..=INSTANTS).map(instant).collect();
     let breaks = model.breaks(TimeMode::AsGiven);
-    times.extend(breaks.iter().copied().filter(|t| (0.0..=end).contains(t)));
-    times.extend(breaks.windows(2).map(|pair| 0.5 * (pair[0] + pair[1])).filter(|t| (0.0..=end).contains(t)));
+    times.extend(breaks.iter().copied().filter(|t| (start..=end).contains(t)));
+    times.extend(breaks.windows(2).map(|pair| 0.5 * (pair[0] + pair[1])).filter(|t| (start..=end).contains(t)));
     times
 }

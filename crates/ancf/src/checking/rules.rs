@@ -10,7 +10,9 @@ use super::memory::{MAX_ELEMENTS, memory_of};
 use super::scheme::{errors, scheme, time};
 use crate::errors::{Finding, finding, number};
 use crate::joints::{End, Joint};
-use crate::model::{IndexedModel, Model, ON_AXIS, Origin, Place, bodies_of, joints_of};
+use crate::model::{
+    About, Analysis, IndexedModel, Initial, Model, Modes, ON_AXIS, Place, bodies_of, joints_of,
+};
 use crate::schema::join;
 use crate::units::ScaleChoice;
 
@@ -157,13 +159,31 @@ fn ends(path: &str, body_a: &str, body_b: &str) -> Vec<String> {
     places.into_iter().chain(axes).collect()
 }
 
-/// Checks that a time selects a state of a results folder.
+/// Checks that a time selects a state of a results folder, and that the analysis can start in a state.
 fn initial(model: &IndexedModel<'_>) -> Vec<Finding> {
-    let Some(time) = model.initial.time.filter(|_| !matches!(model.initial.from, Origin::Folder(_))) else {
-        return Vec::new();
+    let Initial { time, start_time, .. } = model.initial;
+    let Some(folder) = model.starts_from() else {
+        let times = [("initial.time", time), ("initial.start_time", Some(start_time).filter(|t| *t != 0.0))];
+        let stated = times.into_iter().filter_map(|(path, time)| Some((path, time?)));
+        let expected = "no time without a results folder in `initial.from`";
+        let rule = |(path, time): (&str, f64)| finding(path.into(), number(time), expected);
+        return stated.map(|one| rule(one).rests_on(["initial.from".into()])).collect();
     };
-    let expected = "no time without a results folder in `initial.from`";
-    vec![finding("initial.time".into(), number(time), expected).rests_on(["initial.from".into()])]
+    let unsuitable = match &model.analysis {
+        Analysis::Dynamics(_) => return Vec::new(),
+        Analysis::Statics(_) | Analysis::Modes(Modes { about: About::Equilibrium, .. }) => None,
+        Analysis::Modes(_) => Some("modes about the reference state"),
+        Analysis::Path(_) => Some("a path"),
+        Analysis::Buckling(_) => Some("critical loads"),
+    };
+    let start = unsuitable.map(|what| {
+        let expected = "\"undeformed\", or an analysis that starts in a state: dynamics, statics, modes about an equilibrium";
+        finding("initial.from".into(), format!("the results folder {folder:?} for {what}"), expected)
+    });
+    let start_time = (start_time != 0.0).then(|| {
+        finding("initial.start_time".into(), number(start_time), "0 in an analysis without time")
+    });
+    start.into_iter().chain(start_time).map(|one| one.rests_on(["analysis".into()])).collect()
 }
 
 /// Checks that the scales of the paper are used for a model like that of the paper.

@@ -1,14 +1,14 @@
 //! Checks of the time step, of the integration scheme and of the estimate of errors.
 
 use crate::errors::{Finding, finding, number};
-use crate::model::{Analysis, Dynamics, IndexedModel, Scheme, Step};
+use crate::model::{Analysis, Dynamics, EndCondition, IndexedModel, Scheme, Step};
 
 /// Upper limit on the number of steps. Larger values are assumed to be typing errors.
 const MAX_STEPS: f64 = 1e9;
 
-/// Checks that an analysis has at least one step and at most the limit.
+/// Checks that an analysis has at least one step and at most the limit, and that conditions of its end have limits.
 pub(crate) fn time(model: &IndexedModel<'_>) -> Vec<Finding> {
-    let Some(Dynamics { duration, step, .. }) = model.analysis.dynamics() else { return Vec::new() };
+    let Some(Dynamics { duration, step, until, .. }) = model.analysis.dynamics() else { return Vec::new() };
     let sizes = match *step {
         Step::Fixed(step) => [("analysis.step", Some(step)), ("analysis.step.largest", None)],
         Step::Adaptive { initial, largest, .. } => {
@@ -16,8 +16,14 @@ pub(crate) fn time(model: &IndexedModel<'_>) -> Vec<Finding> {
         }
     };
     let intervals = [("output.interval", model.output.interval)];
+    let unlimited = |(i, one): (usize, &EndCondition)| {
+        let path = format!("analysis.until[{i}]");
+        let is_unlimited = one.above.is_none() && one.below.is_none();
+        is_unlimited.then(|| finding(path, "a value without a limit", "`above` or `below`"))
+    };
     let of = |(path, size): (&str, Option<f64>)| rule_of_time(path, size?, *duration);
-    sizes.into_iter().chain(intervals).filter_map(of).collect()
+    let of_sizes = sizes.into_iter().chain(intervals).filter_map(of);
+    of_sizes.chain(until.iter().enumerate().filter_map(unlimited)).collect()
 }
 
 fn rule_of_time(path: &str, size: f64, duration: f64) -> Option<Finding> {

@@ -38,7 +38,7 @@ impl StabilityMonitor {
         let duration =
             model.analysis.dynamics().filter(|_| beams).map_or(f64::INFINITY, |settings| settings.duration);
         let interval = duration / EXAMINATIONS;
-        Self { next: (interval, STEPS), interval, ..Self::default() }
+        Self { next: (model.initial.start_time + interval, STEPS), interval, ..Self::default() }
     }
 
     /// True if the findings belong to a system with this number of coordinates.

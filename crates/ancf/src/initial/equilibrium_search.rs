@@ -6,8 +6,10 @@ use ancf_solver::newton::{
 };
 use ancf_solver::statics::{Equilibrium, LoadIncrements, LoadStepper, solve_regularised};
 
+use super::start_state::StartState;
+use super::static_start::StaticStart;
 use crate::assembly::Assembly;
-use crate::failure::{RunFailure, find_cause, instability, require_support, unloaded};
+use crate::failure::{RunFailure, find_cause, instability, require_support};
 use crate::model::{Model, Statics};
 use crate::units::{ScaleChoice, Scales};
 
@@ -19,6 +21,8 @@ pub(crate) struct EquilibriumSearch<'a> {
     pub(crate) assembly: &'a Assembly,
     pub(crate) settings: &'a Statics,
     pub(crate) interrupt: &'a Interrupt,
+    /// State from which the search starts; the undeformed state by default.
+    pub(crate) given: Option<&'a StartState>,
 }
 
 impl EquilibriumSearch<'_> {
@@ -29,17 +33,18 @@ impl EquilibriumSearch<'_> {
     /// # Errors
     /// If a motion is unsupported, or the equilibrium is not found.
     pub(crate) fn run(&self, each: &mut Each<'_>) -> Result<State, RunFailure> {
-        let start = unloaded(self.assembly);
-        match require_support(self.assembly, &start, self.scales) {
-            Ok(()) => self.loaded(start, each),
-            Err(free) => self.supported_by_loads(start, free, each),
+        let StaticStart { state, system } = StaticStart::new(self.model, self.assembly, self.given)?;
+        match require_support(self.assembly, &state, self.scales) {
+            Ok(()) => self.loaded(&system, state, each),
+            Err(free) if self.given.is_some() => Err(free),
+            Err(free) => self.supported_by_loads(state, free, each),
         }
     }
 
     /// Returns the equilibrium by load increments from a state.
-    fn loaded(&self, start: State, each: &mut Each<'_>) -> Result<State, RunFailure> {
+    fn loaded(&self, system: &System, start: State, each: &mut Each<'_>) -> Result<State, RunFailure> {
         each(&start, None);
-        let mut statics = load_stepper(self.assembly, self.settings, start, self.interrupt)?;
+        let mut statics = load_stepper(system, self.settings, start, self.interrupt)?;
         let ended = statics.advance(self.settings.load, |s, found| {
             each(s, Some(found));
             ControlFlow::Continue(())
@@ -67,7 +72,7 @@ impl EquilibriumSearch<'_> {
         let found = Equilibrium { iterations, attempts: 1, residual, increment, floor, unstable, energy };
         each(&settled, Some(&found));
         match self.assembly.system.with_active_terms(&settled) {
-            Some(_) => self.loaded(settled, each),
+            Some(_) => self.loaded(&self.assembly.system, settled, each),
             None => Ok(settled),
         }
     }
@@ -94,7 +99,7 @@ const REGULARISED_ITERATIONS: u32 = 1000;
 
 /// Load increments of an analysis from a state.
 pub(crate) fn load_stepper<'a>(
-    assembly: &'a Assembly,
+    system: &'a System,
     settings: &Statics,
     start: State,
     interrupt: &Interrupt,
@@ -102,8 +107,8 @@ pub(crate) fn load_stepper<'a>(
     let Statics { first, largest, unstable, stop, max_iterations, .. } = *settings;
     let increments =
         LoadIncrements { first, largest, unstable: unstable.into(), ..LoadIncrements::default() };
-    let newton = Newton::new(assembly.system.matrix(), stop.into(), max_iterations)?;
-    Ok(LoadStepper::new(&assembly.system, newton.with_interrupt(interrupt.clone()), increments, start))
+    let newton = Newton::new(system.matrix(), stop.into(), max_iterations)?;
+    Ok(LoadStepper::new(system, newton.with_interrupt(interrupt.clone()), increments, start))
 }
 
 /// Failure beyond the last equilibrium `s`, with its cause.

@@ -6,6 +6,7 @@ mod initial_state;
 mod origin;
 mod report;
 mod start_state;
+mod static_start;
 mod turn_counter;
 
 pub(crate) use equilibrium_search::{EquilibriumSearch, equilibrium_failure, load_stepper};
@@ -15,4 +16,5 @@ pub(crate) use initial_state::InitialState;
 pub use report::InitialReport;
 pub use start_state::StartState;
 pub(crate) use start_state::displacement;
+pub(crate) use static_start::StaticStart;
 pub(crate) use turn_counter::TurnCounter;

@@ -56,7 +56,7 @@ impl InitialState {
             (increments, iterations) = (increments + 1, iterations + u64::from(found.iterations));
             unstable = found.unstable;
         };
-        let search = EquilibriumSearch { model, scales, assembly, settings, interrupt };
+        let search = EquilibriumSearch { model, scales, assembly, settings, interrupt, given: None };
         let found = search.run(&mut each)?;
         rows.restart_turns();
         let warnings = stability.warnings(assembly, &found, scales, false).into_iter();

@@ -2,7 +2,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::errors::short;
 
-/// Report of the state from which a motion starts.
+/// Report of the state from which an analysis starts.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum InitialReport {
@@ -23,6 +23,11 @@ pub enum InitialReport {
         moved: f64,
         /// Kinetic energy of the correction of the velocities, relative to that of the given velocities.
         corrected: f64,
+    },
+    /// Given state that statics releases to an equilibrium.
+    Released {
+        /// Description of its origin.
+        source: String,
     },
 }
 
@@ -52,6 +57,9 @@ impl InitialReport {
                 short(*moved),
                 short(100.0 * corrected)
             ),
+            Self::Released { source } => {
+                format!("{source}, from which the load factor releases the model to its equilibrium")
+            }
         }
     }
 }

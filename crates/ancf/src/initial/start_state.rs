@@ -34,7 +34,7 @@ impl StartState {
         (model, scales): (&Model, Scales),
         assembly: &Assembly,
     ) -> Result<InitialState, RunFailure> {
-        let mut state = self.state.clone();
+        let mut state = State { t: model.initial.start_time, ..self.state.clone() };
         let length = model.length();
         consistent_positions(&assembly.system, &mut assembly.system.matrix(), &mut state, length)
             .map_err(|error| self.failure(error))?;
@@ -45,7 +45,8 @@ impl StartState {
         let mut warnings = Vec::new();
         if moved > MOVED * length {
             warnings.push(format!(
-                "the positions of {source} violate constraints of joints and drives at t = 0: their correction moves a point by {}",
+                "the positions of {source} violate constraints of joints and drives at t = {}: their correction moves a point by {}",
+                short(state.t * scales.time),
                 short(moved * scales.length)
             ));
         }
@@ -58,10 +59,24 @@ impl StartState {
 }
 
 impl StartState {
+    /// Positions of the state without velocities, at the load factor 0.
+    pub(crate) fn at_rest(&self) -> State {
+        let mut state = State { load: 0.0, ..self.state.clone() };
+        state.v.fill(0.0);
+        state.a.fill(0.0);
+        state.lambda.fill(0.0);
+        state
+    }
+
+    /// Report of an analysis that releases the state to an equilibrium.
+    pub(crate) fn released(&self) -> InitialReport {
+        InitialReport::Released { source: self.source.clone() }
+    }
+
     /// Failure of the projection of the positions.
     fn failure(&self, error: SolveError) -> RunFailure {
         let reason = format!(
-            "the positions of {} are not near positions that joints and drives permit at t = 0",
+            "the positions of {} are not near positions that joints and drives permit at the start",
             self.source
         );
         let at = FailurePlace::Text("`initial.from`".into());
@@ -70,7 +85,7 @@ impl StartState {
 }
 
 /// Advice after a failed projection of positions.
-const FOR_POSITIONS: &str = "a state of a run with the same joints, and drives with the same values at t = 0";
+const FOR_POSITIONS: &str = "a state of a run with the same joints, and drives with the same values at the start";
 
 /// Largest displacement of nodes and centres between two states.
 pub(crate) fn displacement(assembly: &Assembly, from: &State, to: &State) -> f64 {

@@ -16,7 +16,7 @@ use serde::{Deserialize, Serialize, Serializer};
 use crate::units::Scaled;
 
 pub use analyses::{
-    About, Analysis, Buckling, Dynamics, EnergyGuard, Initial, InitialStatics, Modes, NewtonMethod, Origin,
+    About, Analysis, Buckling, Dynamics, EndCondition, EnergyGuard, Initial, InitialStatics, Modes, NewtonMethod, Origin,
     Output, Path, Probe, Quantity, Scheme, Sense, Start, Statics, Step, Stop, Unstable,
 };
 pub use bodies::{

@@ -82,12 +82,9 @@ impl Model {
         self.analysis.dynamics().is_some() && self.initial.from == Origin::Undeformed
     }
 
-    /// Results folder in whose state a motion starts.
+    /// Results folder in whose state the analysis starts.
     pub fn starts_from(&self) -> Option<&str> {
-        match &self.initial.from {
-            Origin::Folder(folder) if self.analysis.dynamics().is_some() => Some(folder),
-            _ => None,
-        }
+        if let Origin::Folder(folder) = &self.initial.from { Some(folder) } else { None }
     }
 
     /// True if the model has external functions of time that are supplied, or that are not yet supplied.

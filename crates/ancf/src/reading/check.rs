@@ -6,7 +6,7 @@ use toml::Value;
 use super::meshes::read_meshes;
 use crate::assembly::{Assembly, contradictions};
 use crate::checking::{broken_rules, with_memory};
-use crate::errors::{Finding, ModelError, ModelErrors, quoted};
+use crate::errors::{Finding, ModelError, ModelErrors, finding, quoted};
 use crate::model::{
     ExternalLoad, IndexedModel, JointLaw, Load, Model, TimeFunction, TimeMode, Varying, loads_of,
 };
@@ -136,6 +136,11 @@ pub(super) fn check_data(data: Value) -> (Option<Model>, Vec<Finding>) {
 }
 
 fn check_data_by(mut data: Value, rules: Rules) -> (Option<Model>, Vec<Finding>) {
+    if let Some(Value::Array(analyses)) = data.get("analysis") {
+        let found = format!("a list of {} analyses", analyses.len());
+        let error = finding("analysis".into(), found, "a single analysis, as a table");
+        return (None, vec![error.hint("`ancf run` and `ancf check` accept a list, AnalysisSequence in programs")]);
+    }
     let unread = read_meshes(&mut data);
     if !unread.is_empty() {
         return (None, unread);

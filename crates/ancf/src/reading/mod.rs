@@ -5,9 +5,11 @@ mod gmsh;
 mod meshes;
 mod part;
 mod read;
+mod sequence;
 mod substitute;
 mod supply;
 
 pub use part::check_part;
 pub use read::{parse_as, with_places};
+pub use sequence::{AnalysisSequence, SequenceStage};
 pub use substitute::{substitute, values_at};

@@ -112,7 +112,7 @@ pub fn with_places(errors: ModelErrors, text: &str) -> ModelErrors {
     ModelErrors(errors.0.into_iter().map(|error| located(error.into(), &document, text)).collect())
 }
 
-fn located(finding: Finding, document: &Document, text: &str) -> ModelError {
+pub(super) fn located(finding: Finding, document: &Document, text: &str) -> ModelError {
     let bytes = document.find(&finding.error.path, finding.at_key);
     ModelError { at: Some(position(text, bytes)), ..finding.error }
 }

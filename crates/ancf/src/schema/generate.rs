@@ -28,12 +28,6 @@ pub fn schema() -> Schema {
     Schema::try_from(json).expect("an object is a schema")
 }
 
-/// Returns the text of `docs/model.schema.json`, for completion and checks in an editor.
-pub fn schema_text() -> String {
-    let text = serde_json::to_string_pretty(&schema());
-    text.expect("a schema has text keys and finite numbers only") + "\n"
-}
-
 /// Removes links between Rust items from a description.
 fn without_links(schema: &mut Schema) {
     if let Some(Json::String(text)) = schema.get_mut("description") {

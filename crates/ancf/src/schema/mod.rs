@@ -3,6 +3,7 @@
 mod address;
 mod generate;
 mod number_arrays;
+mod published;
 mod schema_check;
 mod syntax;
 mod units;
@@ -10,7 +11,8 @@ mod unknown;
 
 pub(crate) use address::{PathStep, path_of, path_steps};
 pub(crate) use generate::{SCHEMA, forms, found, keys, kind, tag};
-pub use generate::{schema, schema_text};
+pub use generate::schema;
+pub use published::schema_text;
 pub use schema_check::join;
 pub(crate) use schema_check::{SchemaCheck, did_you_mean};
 pub(crate) use syntax::{Document, position};

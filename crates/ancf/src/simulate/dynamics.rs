@@ -8,7 +8,7 @@ use ancf_solver::newton::SolveError;
 
 use super::error::Error;
 use super::run::{
-    AnalysisRun, Checkpoint, ResumeError, RunResult, Simulation, StepControl, Summary, fingerprint,
+    AnalysisRun, Checkpoint, EndConditions, ResumeError, RunResult, Simulation, StepControl, Summary, fingerprint,
     turn_warning,
 };
 use crate::estimate::MotionEstimate;
@@ -20,11 +20,15 @@ use crate::results::{AngleRates, Rows, TIME};
 /// Columns of the solver in dynamics.
 pub(crate) const COLUMNS: [&str; 5] = ["iterations", "residual", "increment", "drift", "violation"];
 
+/// Warning of conditions that were not met.
+const NOT_MET: &str = "no condition of `analysis.until` was met at a recorded time: the motion ends with its duration";
+
 /// State of a running dynamic analysis.
 pub(crate) struct DynamicRun<'a> {
     simulation: &'a Simulation,
     rows: Rows,
     control: StepControl<'a>,
+    conditions: EndConditions,
     rotations: RotationMonitor,
     alternations: AlternationMonitor,
     /// State before the projection of its velocities.
@@ -53,7 +57,8 @@ impl<'a> DynamicRun<'a> {
         let mut estimate = scaled.output.errors.then(|| MotionEstimate::new(scaled, assembly, scales));
         update(&mut estimate, &mut control, &mut rows);
         let fingerprint = OnceCell::new();
-        Ok(Self { simulation, rows, control, rotations, alternations, initial, estimate, fingerprint })
+        let conditions = EndConditions::new(&settings.until, &simulation.columns());
+        Ok(Self { simulation, rows, control, conditions, rotations, alternations, initial, estimate, fingerprint })
     }
 
     fn checkpoint(&self, summary: &Summary, monitor: &StabilityMonitor) -> Checkpoint {
@@ -176,6 +181,12 @@ impl<'a> AnalysisRun<'a> {
         if let Some(own) = motion.simulation.scaled.analysis.dynamics() {
             self.summary.warnings.extend(energy_warnings(own, motion.control.dynamics()));
         }
+        if result.as_ref().is_ok_and(ControlFlow::is_continue)
+            && self.summary.ended_by.is_none()
+            && !motion.conditions.is_empty()
+        {
+            self.summary.warnings.push(NOT_MET.to_owned());
+        }
         self.summary.motion_errors = motion.estimate.map(|estimate| estimate.errors().clone());
         Ok(result)
     }
@@ -187,6 +198,9 @@ impl<'a> AnalysisRun<'a> {
                     let flow = self.record(motion, &report)?;
                     let steps = self.summary.steps;
                     self.monitor.examine(self.assembly, motion.control.dynamics().state(), steps);
+                    if self.summary.ended_by.is_some() {
+                        return Ok(Ok(ControlFlow::Continue(())));
+                    }
                     flow
                 }
                 None => ControlFlow::Continue(()),
@@ -218,13 +232,14 @@ impl<'a> AnalysisRun<'a> {
     }
 
     fn record(&mut self, motion: &mut DynamicRun<'a>, report: &StepReport) -> io::Result<ControlFlow<()>> {
-        let DynamicRun { rows, control, .. } = motion;
+        let DynamicRun { rows, control, conditions, .. } = motion;
         let StepReport { iterations, residual, increment, drift, violation, .. } = *report;
         let values = [f64::from(iterations), residual, increment, drift, violation];
         let dynamics = control.dynamics();
         let s = dynamics.state();
         let (t, energy) = (s.t * self.summary.scales.time, dynamics.energy());
         let row = rows.fill(self.assembly, s, t, &values, energy, Some(dynamics.energy_exchange()));
+        self.summary.ended_by = conditions.met(row, self.summary.scales);
         let flow = self.observer.record(row, s)?;
         control.mark_recorded();
         Ok(flow)

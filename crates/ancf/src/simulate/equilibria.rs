@@ -9,7 +9,7 @@ use super::run::{AnalysisRun, RunResult, turn_warning};
 use crate::assembly::Assembly;
 use crate::estimate::{DiscretisationErrors, GapField};
 use crate::failure::{RunFailure, require_support, unloaded};
-use crate::initial::{TurnCounter, equilibrium_failure, load_stepper};
+use crate::initial::{StartState, StaticStart, TurnCounter, equilibrium_failure, load_stepper};
 use crate::model::{Model, Path, Statics};
 use crate::results::{AngleRates, LOAD, Rows};
 use crate::units::Scales;
@@ -53,16 +53,25 @@ impl AnalysisRun<'_> {
         self.summary.warnings.extend(warnings);
     }
 
-    /// Runs a static analysis by load increments and records each equilibrium.
-    pub(crate) fn statics(&mut self, model: &Model, settings: &Statics) -> RunResult {
+    /// Runs a static analysis by load increments, from a given state or the undeformed one, and records each equilibrium.
+    pub(crate) fn statics(
+        &mut self,
+        model: &Model,
+        settings: &Statics,
+        given: Option<&StartState>,
+    ) -> RunResult {
         let assembly = self.assembly;
         let mut rows = Rows::new(assembly, self.summary.scales, LOAD, &COLUMNS);
         self.observer.begin(&rows.columns())?;
-        let start = unloaded(assembly);
-        if let Err(reason) = require_support(assembly, &start, self.summary.scales) {
+        let StaticStart { state, system } = match StaticStart::new(model, assembly, given) {
+            Ok(start) => start,
+            Err(reason) => return Ok(Err(reason)),
+        };
+        if let Err(reason) = require_support(assembly, &state, self.summary.scales) {
             return Ok(Err(reason));
         }
-        let mut statics = match load_stepper(assembly, settings, start, self.interrupt) {
+        self.summary.initial = given.map(StartState::released);
+        let mut statics = match load_stepper(&system, settings, state, self.interrupt) {
             Ok(statics) => statics,
             Err(error) => return Ok(Err(error.into())),
         };

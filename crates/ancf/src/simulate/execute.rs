@@ -40,10 +40,11 @@ impl Simulation {
         self.run_with(None, observer)
     }
 
-    /// Runs a dynamic analysis from a given state instead of the state of the model, at t = 0. Other analyses ignore it.
+    /// Runs the analysis from a given state instead of the state of the model.
     ///
-    /// Positions and velocities are projected onto the constraints. Accelerations and multipliers are computed. The initial
-    /// velocities of the bodies of the model are added.
+    /// Dynamics starts there at `initial.start_time`: positions and velocities are projected onto the constraints, and the initial
+    /// velocities of the bodies of the model are added. Statics and modes about an equilibrium release the positions to the
+    /// equilibrium in proportion to the load factor. Paths and critical loads ignore the state.
     ///
     /// # Errors
     /// As [`run`](Self::run).
@@ -55,9 +56,9 @@ impl Simulation {
         let (mut run, scaled) = (self.begin(observer), &self.scaled);
         let result = match &scaled.analysis {
             Analysis::Dynamics(settings) => run.dynamics(self, settings, start),
-            Analysis::Statics(settings) => run.statics(scaled, settings),
+            Analysis::Statics(settings) => run.statics(scaled, settings, start),
             Analysis::Path(settings) => run.path(settings),
-            Analysis::Modes(settings) => run.modes(scaled, settings),
+            Analysis::Modes(settings) => run.modes(scaled, settings, start),
             Analysis::Buckling(settings) => run.buckling(scaled, settings),
         };
         self.end(run, result)

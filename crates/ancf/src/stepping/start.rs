@@ -23,7 +23,7 @@ impl Stepper {
         Self::start(Simulation::new(model)?, None)
     }
 
-    /// Starts a simulation at t = 0, in its own initial state or in a given one.
+    /// Starts a simulation at its start time, in its own initial state or in a given one.
     ///
     /// # Errors
     /// As [`new`](Self::new).
@@ -45,7 +45,8 @@ impl Stepper {
         let dynamics = started(dynamics, &settings).map_err(solve)?;
         let adaptive = error_control(scaled, &settings, assembly, &dynamics);
         let tolerance = TIME_TOLERANCE * settings.step.fixed().unwrap_or(settings.duration);
-        let events = Events::new(assembly, settings.duration, adaptive.is_some(), tolerance);
+        let start = dynamics.state().t;
+        let events = Events::new(assembly, [start, start + settings.duration], adaptive.is_some(), tolerance);
         let s = dynamics.state();
         rows.count_turns(s.t, s, AngleRates::Velocities);
         let monitors = Monitors {
@@ -95,6 +96,13 @@ fn settings_of(simulation: &Simulation) -> Result<Dynamics, ModelErrors> {
             "output.errors",
             "true",
             "false for a motion that is advanced step by step; a run of the whole duration estimates errors",
+        ));
+    }
+    if !settings.until.is_empty() {
+        return Err(wrong(
+            "analysis.until",
+            "conditions",
+            "none for a motion that is advanced step by step; the calling program ends it",
         ));
     }
     Ok(settings.clone())

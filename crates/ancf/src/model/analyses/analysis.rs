@@ -1,6 +1,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::end_condition::EndCondition;
 use super::equilibrium::{Buckling, Modes, Path, Statics};
 use super::solver_settings::{EnergyGuard, NewtonMethod, Stop};
 use crate::units::Scaled;
@@ -68,6 +69,9 @@ pub struct Dynamics {
     /// Limits of the error of the energy balance.
     #[serde(default)]
     pub energy_guard: EnergyGuard,
+    /// Conditions that end the motion before its duration, such as a force above a limit; the first one that is met ends it.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub until: Vec<EndCondition>,
 }
 
 impl Dynamics {
@@ -91,6 +95,7 @@ impl Dynamics {
             max_iterations: Self::max_iterations(),
             max_halvings: Self::max_halvings(),
             energy_guard: EnergyGuard::DEFAULT,
+            until: Vec::new(),
         }
     }
 }

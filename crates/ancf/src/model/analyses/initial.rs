@@ -5,7 +5,8 @@ use super::equilibrium::{Statics, Unstable};
 use super::solver_settings::Stop;
 use crate::units::Scaled;
 
-/// State at the start of dynamics. Other analyses ignore it.
+/// State at the start of the analysis. Statics and modes about an equilibrium may start from a results folder; dynamics from any
+/// state.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(default, deny_unknown_fields)]
 pub struct Initial {
@@ -15,8 +16,17 @@ pub struct Initial {
     #[unit(time)]
     #[serde(skip_serializing_if = "Option::is_none")]
     pub time: Option<f64>,
+    /// Time t at the start of a motion from a results folder, time; 0 by default.
+    #[unit(time)]
+    #[serde(skip_serializing_if = "is_zero")]
+    #[schemars(extend("minimum" = 0))]
+    pub start_time: f64,
     /// Search for the equilibrium.
     pub statics: InitialStatics,
+}
+
+fn is_zero(time: &f64) -> bool {
+    *time == 0.0
 }
 
 impl Initial {
@@ -35,7 +45,8 @@ pub enum Origin {
     Undeformed,
     /// Equilibrium under all loads and drives with their values at t = 0.
     Equilibrium,
-    /// Results folder of another run of the same structure: its last state, or the state at `time`.
+    /// Results folder of another run of the same structure: its last state, or the state at `time`. Statics and modes release it to
+    /// the equilibrium: forces that would hold it decrease to zero with the load factor.
     #[serde(untagged)]
     Folder(String),
 }

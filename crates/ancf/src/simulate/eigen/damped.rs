@@ -4,6 +4,7 @@ use ancf_solver::sparse::SparseMatrix;
 use nalgebra::DVector;
 
 use super::shapes::{DAMPED_COLUMNS, MAX_RESIDUAL};
+use crate::initial::StartState;
 use crate::model::{Model, Modes};
 use crate::simulate::run::{AnalysisRun, RunResult};
 
@@ -14,10 +15,15 @@ const DEVIATION: f64 = 1e-3;
 
 impl AnalysisRun<'_> {
     /// Computes damped modes, one row per mode.
-    pub(super) fn damped_modes(&mut self, model: &Model, settings: &Modes) -> RunResult {
+    pub(super) fn damped_modes(
+        &mut self,
+        model: &Model,
+        settings: &Modes,
+        given: Option<&StartState>,
+    ) -> RunResult {
         self.begin(&DAMPED_COLUMNS)?;
         let count = settings.count as usize;
-        let found = self.state_about(model, settings.about).and_then(|s| {
+        let found = self.state_about(model, settings.about, given).and_then(|s| {
             let system = &self.assembly.system;
             let complete = system.with_active_terms(&s);
             let (system, matrix) = complete

@@ -3,6 +3,7 @@ use ancf_solver::equations::{EquationsOfMotion, State};
 
 use super::shapes::{MAX_RESIDUAL, MODE_COLUMNS};
 use crate::estimate::{DiscretisationErrors, FrequencyErrors, GapField};
+use crate::initial::StartState;
 use crate::model::{Model, Modes};
 use crate::simulate::run::EigenvalueCount;
 use crate::simulate::run::{AnalysisRun, RunResult};
@@ -70,14 +71,19 @@ impl FoundMode {
 }
 
 impl AnalysisRun<'_> {
-    /// Computes natural modes, one row per mode.
-    pub(crate) fn modes(&mut self, model: &Model, settings: &Modes) -> RunResult {
+    /// Computes natural modes about the undeformed state, or about an equilibrium that may start from a given state, one row per mode.
+    pub(crate) fn modes(
+        &mut self,
+        model: &Model,
+        settings: &Modes,
+        given: Option<&StartState>,
+    ) -> RunResult {
         if settings.damped {
-            return self.damped_modes(model, settings);
+            return self.damped_modes(model, settings, given);
         }
         self.begin(&MODE_COLUMNS)?;
         let count = settings.count as usize;
-        let found = self.state_about(model, settings.about).and_then(|s| {
+        let found = self.state_about(model, settings.about, given).and_then(|s| {
             let system = &self.assembly.system;
             let complete = system.with_active_terms(&s);
             let (system, matrix) = complete

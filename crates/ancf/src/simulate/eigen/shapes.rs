@@ -5,7 +5,7 @@ use ancf_solver::equations::State;
 
 use crate::assembly::Assembly;
 use crate::failure::{RunFailure, unloaded};
-use crate::initial::EquilibriumSearch;
+use crate::initial::{EquilibriumSearch, StartState};
 use crate::model::{About, Model, Statics};
 use crate::results::Column;
 use crate::simulate::run::{AnalysisRun, RunResult};
@@ -43,13 +43,19 @@ pub(crate) fn columns(assembly: &Assembly, solver: &[&str]) -> Vec<Column> {
 
 impl AnalysisRun<'_> {
     /// Computes the state about which the model is linearised.
-    pub(super) fn state_about(&self, model: &Model, about: About) -> Result<State, RunFailure> {
+    pub(super) fn state_about(
+        &mut self,
+        model: &Model,
+        about: About,
+        given: Option<&StartState>,
+    ) -> Result<State, RunFailure> {
         if about == About::Reference {
             return Ok(unloaded(self.assembly));
         }
         let (assembly, interrupt, scales) = (self.assembly, self.interrupt, self.summary.scales);
+        self.summary.initial = given.map(StartState::released);
         let settings = &Statics::default();
-        EquilibriumSearch { model, scales, assembly, settings, interrupt }.run(&mut |_, _| ())
+        EquilibriumSearch { model, scales, assembly, settings, interrupt, given }.run(&mut |_, _| ())
     }
 
     pub(super) fn begin(&mut self, solver: &[&str]) -> io::Result<()> {

@@ -2,6 +2,7 @@
 
 mod analysis_run;
 mod checkpoint;
+mod end_conditions;
 mod observer;
 mod simulation;
 mod step_control;
@@ -10,6 +11,7 @@ mod summary;
 pub(crate) use analysis_run::{AnalysisRun, RunResult, turn_warning};
 pub use checkpoint::{Checkpoint, ResumeError};
 pub(crate) use checkpoint::{StepCounts, fingerprint, hash_of};
+pub(crate) use end_conditions::EndConditions;
 pub use observer::Observer;
 pub use simulation::{Extension, Simulation, SimulationBuilder};
 pub(crate) use step_control::{

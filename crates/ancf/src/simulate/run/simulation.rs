@@ -2,6 +2,7 @@ use ancf_mechanics::functions::InputSignal;
 use ancf_solver::equations::State;
 use ancf_solver::newton::Interrupt;
 
+use super::end_conditions::unknown_values;
 use crate::assembly::Assembly;
 use crate::diagnosis::model_warnings;
 use crate::errors::{ModelError, ModelErrors, quoted};
@@ -40,7 +41,9 @@ impl Simulation {
             return Err(ModelErrors(repeated));
         }
         let (interrupt, warnings) = (Interrupt::default(), model_warnings(model));
-        Ok(Self { scaled, chosen, assembly, inputs, interrupt, warnings })
+        let simulation = Self { scaled, chosen, assembly, inputs, interrupt, warnings };
+        let unknown = unknown_values(model, &simulation.columns());
+        if unknown.is_empty() { Ok(simulation) } else { Err(ModelErrors(unknown)) }
     }
 
     /// Sets the interrupt flag that stops a run. Its outcome is then [`Outcome::Stopped`](crate::Outcome::Stopped).

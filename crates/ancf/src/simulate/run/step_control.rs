@@ -13,6 +13,8 @@ use crate::model::{Dynamics, Model, NewtonMethod, Start, Step};
 /// Step control of a dynamic analysis: step sizes, output times and load jumps.
 pub(crate) struct StepControl<'a> {
     dynamics: TimeStepper<'a, System>,
+    /// Time at the start.
+    start: f64,
     duration: f64,
     /// Interval of the output times. `None` if each step is recorded.
     interval: Option<f64>,
@@ -62,7 +64,7 @@ pub(crate) fn started<'a>(
     let mut dynamics = dynamics.with_energy_guard(EnergyGuard { gain: settings.energy_guard.gain });
     dynamics.include_near_terms()?;
     match settings.start {
-        Start::Consistent => dynamics.restart(0.0)?,
+        Start::Consistent => dynamics.restart(dynamics.state().t)?,
         Start::Zero => dynamics.project_velocities()?,
     }
     Ok(dynamics)
@@ -99,7 +101,7 @@ impl<'a> StepControl<'a> {
         assembly: &'a Assembly,
         interrupt: Interrupt,
     ) -> Result<Self, SolveError> {
-        let duration = settings.duration;
+        let (begin, duration) = (start.t, settings.duration);
         let newton = newton_method(assembly, settings, interrupt)?;
         let (system, scheme) = (&assembly.system, settings.scheme.numbers());
         let mut dynamics = TimeStepper::new(system, scheme, newton, settings.max_halvings, start);
@@ -114,13 +116,14 @@ impl<'a> StepControl<'a> {
         let time_tolerance = TIME_TOLERANCE * settings.step.fixed().unwrap_or(duration);
         let mut jumps = assembly.breaks().to_vec();
         if settings.step.fixed().is_none() {
-            jumps.extend(assembly.inputs.switches(duration));
+            jumps.extend(assembly.inputs.switches(begin + duration));
         }
-        jumps.retain(|t| *t > time_tolerance && *t < duration - time_tolerance);
+        jumps.retain(|t| *t > begin + time_tolerance && *t < begin + duration - time_tolerance);
         jumps.sort_by(|a, b| b.total_cmp(a));
         jumps.dedup_by(|a, b| (*a - *b).abs() <= time_tolerance);
         Ok(Self {
             dynamics,
+            start: begin,
             duration,
             interval: model.output.interval.or(every),
             count: 0,
@@ -148,12 +151,18 @@ impl<'a> StepControl<'a> {
 
     /// Output time after number `count`, at the time `now`.
     fn output_after(&self, count: u64, now: f64) -> Option<f64> {
-        let Some(interval) = self.interval else { return Some(self.duration).filter(|end| now < *end) };
+        let end = Some(self.end()).filter(|end| now < *end);
+        let Some(interval) = self.interval else { return end };
         let next = (count + 1) as f64;
         if next <= self.inner_outputs(interval) {
-            return Some(next * interval);
+            return Some(self.start + next * interval);
         }
-        Some(self.duration).filter(|end| now < *end)
+        end
+    }
+
+    /// Time at the end.
+    fn end(&self) -> f64 {
+        self.start + self.duration
     }
 
     /// Number of output times between the start and the end, which a small remainder of the duration does not follow.
@@ -287,7 +296,7 @@ impl StepControl<'_> {
     fn admits(&self, checkpoint: &StepControlCheckpoint) -> bool {
         let StepControlCheckpoint { count, report, jumps, dynamics, .. } = checkpoint;
         let (t, count) = (dynamics.time(), *count);
-        if !(0.0..=self.duration + self.tolerance).contains(&t)
+        if !(self.start..=self.end() + self.tolerance).contains(&t)
             || count > MAX_COUNT
             || *jumps > self.jumps.len()
         {
@@ -296,13 +305,13 @@ impl StepControl<'_> {
         let is_before = |end: f64| t <= end + self.tolerance;
         let is_in_order = self.interval.is_none_or(|interval| {
             let (now, inner) = (count as f64, self.inner_outputs(interval));
-            let reached = if now <= inner { now * interval } else { self.duration };
+            let reached = if now <= inner { self.start + now * interval } else { self.end() };
             now <= inner + 1.0 && t >= reached && self.output_after(count, t).is_none_or(is_before)
         });
         let is_before_jumps = self.jumps[..*jumps].last().is_none_or(|jump| t < *jump);
         is_in_order
             && is_before_jumps
             && report.is_valid()
-            && dynamics.pending_time().is_none_or(|to| to <= self.duration + self.tolerance)
+            && dynamics.pending_time().is_none_or(|to| to <= self.end() + self.tolerance)
     }
 }

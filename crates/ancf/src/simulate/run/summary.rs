@@ -103,6 +103,9 @@ pub struct Summary {
     /// Dynamics: state from which the motion starts, if it is not the undeformed state.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub initial: Option<InitialReport>,
+    /// Dynamics: condition of `analysis.until` that ended the motion, such as "`tip.z` is above 0.5".
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub ended_by: Option<String>,
     /// Statics: estimated errors of the mesh in the last state. Modes and buckling: those of the frequencies and load factors.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub errors: Option<DiscretisationErrors>,
@@ -137,6 +140,7 @@ impl Summary {
             redundant: assembly.redundant().iter().map(ToString::to_string).collect(),
             eigenvalues: None,
             initial: None,
+            ended_by: None,
             errors: None,
             motion_errors: None,
             meshes: Vec::new(),

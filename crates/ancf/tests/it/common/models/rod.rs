@@ -44,6 +44,7 @@ pub(crate) fn free(elements: u32) -> Model {
             max_iterations: 50,
             max_halvings: 0,
             energy_guard: EnergyGuard::default(),
+            until: Vec::new(),
         }),
         probes: vec![Probe::of_motion("tip", end())],
         output: Output::default(),

@@ -1,7 +1,7 @@
 //! Applied forces and moments, springs and friction.
 
 mod angle_ratio;
-mod coordinate_force;
+mod coordinate;
 mod external;
 mod follower;
 mod force;
@@ -13,7 +13,7 @@ mod strut;
 mod strut_law;
 mod swing_spring;
 
-pub use coordinate_force::CoordinateForce;
+pub use coordinate::{CoordinateForce, StateForce};
 pub use external::ExternalForce;
 pub use follower::FollowerForce;
 pub use force::Force;

@@ -4,10 +4,12 @@ mod contact_law;
 mod force_law;
 mod law_expression;
 mod resistance;
+mod state_law;
 mod stops;
 
 pub use contact_law::ContactLaw;
 pub use force_law::{ForceLaw, LawNumber, LawState, LawValue, UserForceLaw};
 pub use law_expression::{LawExpression, LawVariables, is_law_name};
 pub use resistance::{LawUnits, Resistance};
+pub use state_law::{LawStateVariable, StateLaw, StateLawError};
 pub use stops::Stops;

@@ -12,7 +12,8 @@ use crate::joints::{
     Coupled, Coupling, End, Gap, Ground, Joint, JointBuilder, JointCoordinate, JointEnds, JointEquations,
     JointKind, LinearRows, Numbering,
 };
-use crate::model::{Body, IndexedModel, Place, TimeMode};
+use crate::model::{Body, IndexedModel, Model, Place, TimeMode};
+use crate::units::{Dimension, ScaleChoice};
 
 impl IndexedModel<'_> {
     /// Numbers of coordinates and multipliers of bodies and joints.
@@ -30,14 +31,24 @@ impl IndexedModel<'_> {
     ) -> Vec<JointEquations> {
         let [mut coordinate, mut multiplier] = Self::numbers(bodies, &[]);
         let edge_rows = RefCell::default();
+        let energy = self.state_energy();
         let equations = self.joints.iter().enumerate().map(|(number, joint)| {
             let coupled = |coordinate| self.is_coupled(number, coordinate);
-            let numbering = Numbering { coordinate, multiplier, time_mode };
+            let numbering = Numbering { coordinate, multiplier, time_mode, energy };
             let equations = self.equations_of(joint.kind(), (bodies, &edge_rows), numbering, &coupled);
             (coordinate, multiplier) = (equations.coordinates.end, equations.multipliers.end);
             equations.with_gap(self.gap(joint))
         });
         equations.collect()
+    }
+
+    /// Typical energy of the model for the states of force laws; 1 without such states.
+    fn state_energy(&self) -> f64 {
+        if self.laws().all(|(_, one)| one.law.states().is_empty()) {
+            return 1.0;
+        }
+        let automatic = Model { scales: ScaleChoice::Auto, ..Model::clone(self) };
+        automatic.scales().scales.unit(Dimension::ENERGY)
     }
 
     /// Equations of one joint.

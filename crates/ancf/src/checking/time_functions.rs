@@ -9,7 +9,9 @@ use nalgebra::Vector3;
 use super::findings::{COINCIDENT, body, rule_of_names};
 use crate::errors::{Finding, finding, number, quoted};
 use crate::joints::{End, Joint};
-use crate::model::{IndexedModel, Input, JointLaw, LawUse, Model, TimeFunction, Varying, joints_of};
+use crate::model::{
+    IndexedModel, Input, JointLaw, LawKind, LawStateEquation, LawUse, Model, TimeFunction, Varying, joints_of,
+};
 use crate::schema::unknown;
 
 /// Checks that functions of time are defined: tables in ascending order, intervals not empty, valid formulas.
@@ -87,7 +89,12 @@ fn inputs_of_laws(model: &Model) -> BTreeSet<String> {
     let signals = constant_inputs(model);
     let laws = model.laws().filter_map(|(_, one)| one.law.expression(one.kind, 1.0, &signals).ok()?);
     let laws: Vec<_> = laws.collect();
-    let used = |number: &usize| laws.iter().any(|law| law.contains_input(*number));
+    let with_states = model.laws().filter_map(|(_, one)| one.law.state_law(one.kind, &signals).ok()?);
+    let with_states: Vec<_> = with_states.map(|(law, _)| law).collect();
+    let used = |number: &usize| {
+        laws.iter().any(|law| law.contains_input(*number))
+            || with_states.iter().any(|law| law.contains_input(*number))
+    };
     (0..signals.len()).filter(used).map(|number| signals[number].0.clone()).collect()
 }
 
@@ -107,9 +114,55 @@ fn rule_of_law(
         let expected = "a formula without `t`, since the analysis has no time; an input is a parameter";
         return Some(finding(key, "`t` in a formula", expected).rests_on(["analysis".to_owned()]));
     }
+    let of_states = rule_of_states(model, path, one, signals);
+    if of_states.is_some() {
+        return of_states;
+    }
     let value = law.at(LawState { t: 0.0, x: 0.0, v: 0.0 }).force;
     let found = format!("a formula that is {value} at x = 0, v = 0, t = 0");
     (!value.is_finite()).then(|| finding(key, found, "one that is a number"))
+}
+
+/// Finding for the states of a force law: names, formulas of rates, and laws of struts, which have no coordinate.
+fn rule_of_states(
+    model: &IndexedModel<'_>,
+    path: &str,
+    one: &LawUse<'_>,
+    signals: &[(String, InputSignal)],
+) -> Option<Finding> {
+    let states = one.law.states();
+    if states.is_empty() {
+        return None;
+    }
+    if one.kind == LawKind::Tension {
+        let expected = "none for a spring between two points; a guide or a hinge has a coordinate";
+        return Some(finding(format!("{path}.states"), "states", expected));
+    }
+    if model.output.errors {
+        let expected = "false with states of force laws, whose errors are not estimated";
+        return Some(finding("output.errors".into(), "true", expected).rests_on([path.to_owned()]));
+    }
+    let named = |(k, state): (usize, &LawStateEquation)| {
+        let name = state.name.as_str();
+        let is_taken = is_law_name(name, &one.kind.variables())
+            || signals.iter().any(|(input, _)| input == name)
+            || states[..k].iter().any(|other| other.name == name);
+        let expected = "another name: it is a variable, a function, an input or another state";
+        is_taken.then(|| finding(format!("{path}.states[{k}].name"), quoted(name), expected))
+    };
+    states.iter().enumerate().find_map(named).or_else(|| match one.law.state_law(one.kind, signals) {
+        Err((number, error)) => {
+            let k = number?;
+            Some(syntax(format!("{path}.states[{k}].rate"), &states[k].rate, error))
+        }
+        Ok(law) => {
+            let ((law, _), at) = (law?, LawState { t: 0.0, x: 0.0, v: 0.0 });
+            let rate = |k: usize| law.rate(k, at, law.start())[0];
+            let k = (0..states.len()).find(|k| !rate(*k).is_finite())?;
+            let found = format!("a formula that is {} at the start", rate(k));
+            Some(finding(format!("{path}.states[{k}].rate"), found, "one that is a number"))
+        }
+    })
 }
 
 /// Finding if the name of an input has another meaning in a formula of a force law.

@@ -9,12 +9,13 @@ use serde::{Deserialize, Serialize};
 use super::gap_field::{BodyGaps, GapField};
 use super::movement::{moved, sizes_of};
 use crate::assembly::{Assembly, RecordedQuantity};
+use crate::initial::displacement;
 use crate::model::Quantity;
 use crate::units::{Dimension, Scales};
 
 /// Largest relative movement of the states between which values are differentiated.
 const DIFFERENCE: f64 = 1e-4;
-/// Displacement, relative to the largest one, below which a probe does not move.
+/// Displacement, relative to the largest one of the model, below which a probe does not move.
 const STILL: f64 = 1e-9;
 
 /// Dimensions of forces and moments.
@@ -125,7 +126,8 @@ impl<'a> ValueErrors<'a> {
             values.extend(of_probe);
         }
         values.extend(self.of_joints());
-        (values, largest_error(&displacements))
+        let moved = displacement(assembly, &assembly.rest(), state) * self.unit(Dimension::LENGTH);
+        (values, largest_error(&displacements, moved))
     }
 
     /// Errors of the columns of a probe; `None` for strains, stresses and quantities that it does not have.
@@ -248,9 +250,11 @@ fn columns(owner: &str, names: [&str; 3], value: Vector3<f64>, error: Vector3<f6
     (0..3).map(one).collect()
 }
 
-/// Largest error of a displacement, relative to the displacement.
-fn largest_error(displacements: &[(Vector3<f64>, Vec<ValueError>, &RecordedQuantity)]) -> Option<ProbeError> {
-    let largest = displacements.iter().map(|(moved, ..)| moved.norm()).fold(0.0, f64::max);
+/// Largest error of a displacement of a probe, relative to the displacement. `largest` is the largest displacement of the model.
+fn largest_error(
+    displacements: &[(Vector3<f64>, Vec<ValueError>, &RecordedQuantity)],
+    largest: f64,
+) -> Option<ProbeError> {
     let error_of = |(moved, errors, probe): &(Vector3<f64>, Vec<ValueError>, &RecordedQuantity)| {
         let (error, size) = (Vector3::from_fn(|k, _| errors[k].error), moved.norm());
         let worst = &errors[error.iamax()];

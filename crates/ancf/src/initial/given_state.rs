@@ -37,6 +37,13 @@ struct GivenVector {
 struct GivenJoint {
     name: String,
     coordinates: Vec<[f64; 2]>,
+    /// Coordinates of states of force laws with their rates.
+    states: Vec<[f64; 2]>,
+}
+
+/// Description of a joint with another number of coordinates.
+fn of_joint(what: &str, [given, own]: [usize; 2], name: &str) -> String {
+    format!("{given} {what} of joint {}, not {own}", quoted(name))
 }
 
 /// Relative difference of reference values up to which structures are equal.
@@ -53,9 +60,12 @@ impl GivenState {
         });
         let joints = assembly.joints.iter().map(|joint| {
             let unit = |c| unit_of_coordinate(assembly, c, scales);
-            let coordinates = joint.coordinates.clone();
-            let values = coordinates.map(|c| [state.q[c] * unit(c), state.v[c] * unit(c) / scales.time]);
-            GivenJoint { name: joint.name.clone(), coordinates: values.collect() }
+            let value = |c: usize| [state.q[c] * unit(c), state.v[c] * unit(c) / scales.time];
+            GivenJoint {
+                name: joint.name.clone(),
+                coordinates: joint.free_coordinates().map(value).collect(),
+                states: joint.states.iter().copied().map(value).collect(),
+            }
         });
         Self { source, bodies: bodies.collect(), joints: joints.collect() }
     }
@@ -90,15 +100,20 @@ impl GivenState {
                 .for_each(|(vector, given)| given.write(vector, scales, &mut s));
         }
         for joint in assembly.joints.iter().filter(|joint| !joint.coordinates.is_empty()) {
-            let given = self.joints.iter().find(|given| given.name == joint.name);
-            let given = given.map_or(&[][..], |given| &given.coordinates);
-            if given.len() != joint.coordinates.len() {
-                let count = joint.coordinates.len();
-                let found =
-                    format!("{} coordinates of joint {}, not {count}", given.len(), quoted(&joint.name));
-                return Err(self.mismatch(found));
+            // The coordinates of a new joint follow from the projection of the positions.
+            let Some(given) = self.joints.iter().find(|given| given.name == joint.name) else { continue };
+            let own: Vec<usize> = joint.free_coordinates().collect();
+            if given.coordinates.len() != own.len() {
+                let counts = [given.coordinates.len(), own.len()];
+                return Err(self.mismatch(of_joint("coordinates", counts, &joint.name)));
             }
-            for (c, [value, rate]) in joint.coordinates.clone().zip(given) {
+            let counts = [given.states.len(), joint.states.len()];
+            if counts[0] != counts[1] && !counts.contains(&0) {
+                return Err(self.mismatch(of_joint("states of force laws", counts, &joint.name)));
+            }
+            // States exist in motions only; without given ones they have their values at the start.
+            let coordinates = own.iter().zip(&given.coordinates);
+            for (&c, [value, rate]) in coordinates.chain(joint.states.iter().zip(&given.states)) {
                 let unit = unit_of_coordinate(assembly, c, scales);
                 (s.q[c], s.v[c]) = (value / unit, rate / unit * scales.time);
             }
@@ -110,8 +125,8 @@ impl GivenState {
         let found = format!("{}, which has {found}", self.source);
         let error = ModelError::new("initial.from", found, "a state of the same structure");
         ModelErrors(vec![error.hint(
-            "bodies, elements, formulations, and drives, springs, friction and couplings of joints must be equal; \
-             materials, sections, loads and the analysis may differ",
+            "bodies, elements and formulations must be equal, and drives, springs, friction and couplings of joints that both models \
+             have; materials, sections, loads, further joints and the analysis may differ",
         )])
     }
 }

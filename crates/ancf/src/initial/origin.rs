@@ -5,6 +5,7 @@ use ancf_solver::newton::Interrupt;
 use ancf_solver::statics::Equilibrium;
 
 use super::equilibrium_search::EquilibriumSearch;
+use super::given_state::GivenState;
 use super::initial_state::InitialState;
 use super::report::InitialReport;
 use super::start_state::StartState;
@@ -61,6 +62,9 @@ impl InitialState {
         rows.restart_turns();
         let warnings = stability.warnings(assembly, &found, scales, false).into_iter();
         let warnings = warnings.map(|warning| format!("equilibrium at the start: {warning}"));
+        // Motions have further coordinates for the states of force laws.
+        let has_states = motion.joints.iter().any(|joint| !joint.states.is_empty());
+        let found = if has_states { transferred(assembly, motion, scales, &found) } else { found };
         let state = motion.with_motions(found, model);
         let warnings = warnings.chain(motion.projection(&state).and_then(projection_warning)).collect();
         Ok(Self {
@@ -69,4 +73,10 @@ impl InitialState {
             warnings,
         })
     }
+}
+
+/// State of an assembly of a model as state of another assembly of the model.
+fn transferred(from: &Assembly, to: &Assembly, scales: Scales, state: &State) -> State {
+    let given = GivenState::new(from, scales, state, String::new());
+    given.state(to, scales).expect("assemblies of a model have the same bodies and joints")
 }

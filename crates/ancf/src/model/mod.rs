@@ -25,7 +25,7 @@ pub use bodies::{
     PointMass, PointPlace, Rigid, Shape, ShearShell, Shell, ShellSurface, Slopes,
 };
 pub use contacts::{Contact, ContactSurface, Cylinder, ObstacleKind, Plane, Sphere};
-pub use functions::{Input, JointLaw, LawKind, LawUse, TimeFunction, Varying};
+pub use functions::{Input, JointLaw, LawKind, LawStateEquation, LawUse, TimeFunction, Varying};
 pub use sections::{
     Circle, CustomSection, Damping, Ellipse, GeneralSection, Material, MaterialLaw, Orthotropic,
     OutlineCurve, Rectangle, Section, SectionObject, SectionOutline, SectionShape, Tube,

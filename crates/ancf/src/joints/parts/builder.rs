@@ -8,7 +8,7 @@ use ancf_mechanics::constraints::{
     BilinearMeasure, CoincidenceConstraint, ConstantAngle, ConstrainedVector, HingeAngle, LinearConstraint,
     MeasureConstraint, MeasureFactor, MeasureTarget, RotationDrive, SectionDrive, SlideConstraint,
 };
-use ancf_mechanics::forces::{CoordinateForce, Friction, Spring, Strut};
+use ancf_mechanics::forces::{CoordinateForce, Friction, Spring, StateForce, Strut};
 use ancf_mechanics::functions::Function;
 use ancf_mechanics::kinematics::{Attachment, BodyVector, Directions, ElementAxis};
 use ancf_mechanics::laws::{LawUnits, Resistance};
@@ -23,7 +23,7 @@ use super::equations::{JointEquations, LinearRows, Part};
 use super::measures;
 use super::recorded_coordinate::{RecordedCoordinate, Source};
 use super::term::JointTerm;
-use crate::model::{JointLaw, LawKind, ShearShell, TimeFunction, TimeMode};
+use crate::model::{JointLaw, LawKind, LawUse, ShearShell, TimeFunction, TimeMode};
 
 /// Ends of a joint as attachments to bodies.
 pub(crate) struct JointEnds<'a> {
@@ -46,12 +46,14 @@ pub(crate) struct JointEnds<'a> {
     pub(crate) all_gradients: bool,
 }
 
-/// First unused coordinate and multiplier, and the treatment of functions of time.
+/// First unused coordinate and multiplier, and what is common to all joints.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Numbering {
     pub(crate) coordinate: usize,
     pub(crate) multiplier: usize,
     pub(crate) time_mode: TimeMode,
+    /// Typical energy of the model, for the states of force laws.
+    pub(crate) energy: f64,
 }
 
 /// Builder of the equations of one joint.
@@ -62,6 +64,8 @@ pub struct JointBuilder<'a> {
     ends: JointEnds<'a>,
     coupled: &'a dyn Fn(JointCoordinate) -> bool,
     time_mode: TimeMode,
+    /// Typical energy of the model.
+    energy: f64,
     equations: JointEquations,
 }
 
@@ -79,7 +83,7 @@ impl<'a> JointBuilder<'a> {
         numbering: Numbering,
         coupled: &'a dyn Fn(JointCoordinate) -> bool,
     ) -> Self {
-        let Numbering { coordinate, multiplier, time_mode } = numbering;
+        let Numbering { coordinate, multiplier, time_mode, energy } = numbering;
         let equations = JointEquations {
             name: name.to_owned(),
             coordinates: coordinate..coordinate,
@@ -87,8 +91,9 @@ impl<'a> JointBuilder<'a> {
             position: None,
             parts: Vec::new(),
             recorded: Vec::new(),
+            states: Vec::new(),
         };
-        Self { ends, coupled, time_mode, equations }
+        Self { ends, coupled, time_mode, energy, equations }
     }
 
     /// Finished equations.
@@ -384,12 +389,32 @@ impl<'a> JointBuilder<'a> {
             self.add(Friction::new(measure(), force, creep));
         }
         if let Some(law) = actions.law {
-            let law = law.law.resistance(law.kind, [0.0; 2], self.time_mode);
-            self.add(CoordinateForce::new(coordinate, law));
+            self.act_by_law(coordinate, law);
         }
         if let Some(stops) = actions.stops {
             let law = Resistance::acting(Arc::new(stops), LawUnits::OWN);
             self.add(CoordinateForce::new(coordinate, law));
         }
+    }
+
+    /// Adds a force law of a coordinate. Its states are coordinates of the joint in motions, and have their values at the start in
+    /// other analyses.
+    fn act_by_law(&mut self, coordinate: usize, law: LawUse<'_>) {
+        let with_states = law.law.state_law(law.kind, &[]).expect("a checked law has no syntax errors");
+        let Some((state_law, units)) = with_states.filter(|_| self.time_mode == TimeMode::AsGiven) else {
+            let law = law.law.resistance(law.kind, [0.0; 2], self.time_mode);
+            return self.add(CoordinateForce::new(coordinate, law));
+        };
+        let mut coordinates = vec![coordinate];
+        for state in law.law.states() {
+            let own = self.coordinate();
+            coordinates.push(own);
+            let columns = [state.name.clone(), format!("{}_rate", state.name)];
+            let source = Source::State { columns, start: state.start, time: units.time };
+            self.equations.recorded.push(RecordedCoordinate { source, coordinate: Some(own) });
+        }
+        self.equations.states.extend(&coordinates[1..]);
+        let energies = law.law.states().iter().map(|state| self.energy / state.size.powi(2)).collect();
+        self.add(StateForce::new(coordinates, Arc::new(state_law), units, energies));
     }
 }

@@ -50,6 +50,8 @@ pub(crate) struct JointEquations {
     pub(crate) parts: Vec<Part>,
     /// Recorded coordinates of the joint.
     pub(crate) recorded: Vec<RecordedCoordinate>,
+    /// Coordinates of states of force laws.
+    pub(crate) states: Vec<usize>,
 }
 
 impl fmt::Debug for JointEquations {
@@ -62,6 +64,11 @@ impl fmt::Debug for JointEquations {
 }
 
 impl JointEquations {
+    /// Coordinates other than those of states of force laws.
+    pub(crate) fn free_coordinates(&self) -> impl Iterator<Item = usize> + '_ {
+        self.coordinates.clone().filter(|c| !self.states.contains(c))
+    }
+
     /// Sets the treatment of the gap.
     pub(crate) fn with_gap(mut self, gap: Gap) -> Self {
         self.position = self.position.map(|position| match gap {

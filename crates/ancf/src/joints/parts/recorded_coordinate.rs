@@ -26,16 +26,20 @@ pub(crate) enum Source {
     Position(f64),
     /// Distance of the two points.
     Length(BodyVector),
+    /// State of a force law, whose change is the rate of the coordinate: names of value and rate, the value at the start, and the unit
+    /// of time measured in that of the law.
+    State { columns: [String; 2], start: f64, time: f64 },
 }
 
 impl RecordedCoordinate {
     /// Names of value and rate.
-    pub const fn columns(&self) -> [&'static str; 2] {
-        match self.source {
+    pub fn columns(&self) -> [&str; 2] {
+        match &self.source {
             Source::Angle { .. } => ["angle", "rate"],
             Source::Displacement(_) => ["displacement", "speed"],
             Source::Position(_) => ["position", "speed"],
             Source::Length(_) => ["length", "speed"],
+            Source::State { columns: [value, rate], .. } => [value, rate],
         }
     }
 
@@ -43,6 +47,7 @@ impl RecordedCoordinate {
     pub const fn dimensions(&self) -> [Dimension; 2] {
         match self.source {
             Source::Angle { .. } => [Dimension::NUMBER, Dimension::RATE],
+            Source::State { .. } => [Dimension::NUMBER, Dimension::RATE],
             _ => [Dimension::LENGTH, Dimension::VELOCITY],
         }
     }
@@ -65,6 +70,9 @@ impl RecordedCoordinate {
         let own = self.coordinate.map_or([0.0; 2], |c| [s.q[c], s.v[c]]);
         match &self.source {
             Source::Position(start) => [start + own[0], own[1]],
+            Source::State { start, time, .. } => {
+                [start + own[1] / time, self.coordinate.map_or(0.0, |c| s.a[c] / time)]
+            }
             Source::Angle { .. } | Source::Displacement(_) if self.coordinate.is_some() => own,
             Source::Angle { vectors, ends } => {
                 let [p, u, v] = vectors.each_ref().map(|vector| vector.value(s));
@@ -86,7 +94,7 @@ impl RecordedCoordinate {
         let fits = match self.source {
             Source::Angle { .. } => free == JointCoordinate::Angle,
             Source::Displacement(_) | Source::Position(_) => free == JointCoordinate::Displacement,
-            Source::Length(_) => false,
+            Source::Length(_) | Source::State { .. } => false,
         };
         self.coordinate.filter(|_| fits)
     }

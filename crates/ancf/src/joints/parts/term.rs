@@ -2,7 +2,9 @@ use ancf_mechanics::constraints::{
     CoincidenceConstraint, ConstantAngle, GroupedConstraint, HingeAngle, LinearConstraint, MeasureConstraint,
     RotationDrive, SectionDrive, SlideConstraint, TwistAngle, Wrench,
 };
-use ancf_mechanics::forces::{CoordinateForce, Friction, MatrixBushing, Spring, Strut, SwingSpring};
+use ancf_mechanics::forces::{
+    CoordinateForce, Friction, MatrixBushing, Spring, StateForce, Strut, SwingSpring,
+};
 use ancf_solver::equations::{State, Term};
 
 /// Term of a joint: a constraint or a force with a reaction.
@@ -50,6 +52,7 @@ joint_terms! {
     SectionDrive,
     SlideConstraint,
     Spring,
+    StateForce,
     Strut,
     SwingSpring,
     TwistAngle,

@@ -1,10 +1,14 @@
 use std::sync::Arc;
 
 use ancf_mechanics::functions::{ExpressionError, InputSignal};
-use ancf_mechanics::laws::{ForceLaw, LawExpression, LawUnits, LawVariables, Resistance, UserForceLaw};
+use ancf_mechanics::laws::{
+    ForceLaw, LawExpression, LawStateVariable, LawUnits, LawVariables, Resistance, StateLaw, StateLawError,
+    UserForceLaw,
+};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::law_state::LawStateEquation;
 use super::time_function::TimeMode;
 use crate::units::{Scaled, Scales};
 
@@ -17,6 +21,11 @@ pub enum JointLaw {
         /// Formula, such as `-4*x - 10*x^3 - 0.1*v`.
         #[schemars(length(min = 1))]
         text: String,
+        /// States of first order, which the formula may contain; none by default. For coordinates of joints in motions; other
+        /// analyses keep their values at the start.
+        #[serde(default, skip_serializing_if = "Vec::is_empty")]
+        #[schemars(length(max = 8))]
+        states: Vec<LawStateEquation>,
         /// Units of length, time and force of the model, measured in units of the formula; equal by default.
         #[serde(default = "own", skip_serializing_if = "is_own")]
         units: Scales,
@@ -113,7 +122,17 @@ impl<'a> LawUse<'a> {
 impl JointLaw {
     /// Law by a formula.
     pub fn formula(text: &str) -> Self {
-        Self::Expression { text: text.into(), units: Scales::UNIT, inputs: Vec::new() }
+        Self::with_states(text, Vec::new())
+    }
+
+    /// Law by a formula with states of first order.
+    pub fn with_states(text: &str, states: Vec<LawStateEquation>) -> Self {
+        Self::Expression { text: text.into(), states, units: Scales::UNIT, inputs: Vec::new() }
+    }
+
+    /// States of first order.
+    pub fn states(&self) -> &[LawStateEquation] {
+        if let Self::Expression { states, .. } = self { states } else { &[] }
     }
 
     /// External law, which the calling program supplies by name.
@@ -138,11 +157,37 @@ impl JointLaw {
         length: f64,
         declared: &[(String, InputSignal)],
     ) -> Result<Option<LawExpression>, ExpressionError> {
-        let Self::Expression { text, units, inputs } = self else { return Ok(None) };
-        let inputs = if inputs.is_empty() { declared } else { inputs };
-        let law = LawExpression::parse(text, &kind.variables(), inputs)?;
+        let Self::Expression { text, states, units, inputs } = self else { return Ok(None) };
+        let mut inputs = if inputs.is_empty() { declared.to_vec() } else { inputs.clone() };
+        // States have their values at the start.
+        inputs.extend(states.iter().map(|state| (state.name.clone(), InputSignal::new(state.start))));
+        let law = LawExpression::parse(text, &kind.variables(), &inputs)?;
         let origin = if kind == LawKind::Tension { length * units.length } else { 0.0 };
         Ok(Some(law.with_origin(origin).with_unit_of_time(units.time)))
+    }
+
+    /// Law with states of a kind of force along a coordinate of a joint, and its units; `None` for a law without states. Inputs of this
+    /// list are constant.
+    ///
+    /// # Errors
+    /// If a formula has a syntax error.
+    pub(crate) fn state_law(
+        &self,
+        kind: LawKind,
+        declared: &[(String, InputSignal)],
+    ) -> Result<Option<(StateLaw, LawUnits)>, StateLawError> {
+        let Self::Expression { text, states, units, inputs } = self else { return Ok(None) };
+        if states.is_empty() {
+            return Ok(None);
+        }
+        let inputs = if inputs.is_empty() { declared } else { inputs };
+        let variables = states.iter().map(|state| LawStateVariable {
+            name: &state.name,
+            rate: &state.rate,
+            start: state.start,
+        });
+        let law = StateLaw::parse(text, &variables.collect::<Vec<_>>(), &kind.variables(), inputs)?;
+        Ok(Some((law.with_unit_of_time(units.time), kind.units(units))))
     }
 
     /// Resistance of the law to the increase of its coordinate in an analysis. `length` is the free length of a strut, and

@@ -18,8 +18,8 @@ impl Stepper {
     /// the constraints from elimination with full pivoting. All derivatives of forces are compared with finite differences.
     ///
     /// # Errors
-    /// If an input prescribes a motion, a column is no function of the state, a force is not differentiable, the model has more than
-    /// 4000 unknowns, or a free motion has no mass.
+    /// If an input prescribes a motion, a column is no function of the state, a force is not differentiable, a force law has states,
+    /// the model has more than 4000 unknowns, or a free motion has no mass.
     pub fn linearise(&mut self, outputs: &[&str]) -> Result<LinearModel, StepError> {
         self.apply_inputs()?;
         let size = self.dynamics.equations().coordinates() + self.dynamics.equations().multipliers();
@@ -33,6 +33,11 @@ impl Stepper {
             let expected =
                 "inputs of loads only: the motion depends on the rates of an input that prescribes a motion";
             return Err(argument("linearise", format!("the drive input {}", quoted(name)), expected));
+        }
+        if let Some(joint) = self.simulation.assembly.joints.iter().find(|joint| !joint.states.is_empty()) {
+            let expected = "laws without states: their derivatives by states are not assembled";
+            let found = format!("the states of the force law of joint {}", quoted(&joint.name));
+            return Err(argument("linearise", found, expected));
         }
         let numbers = self.differentiable(outputs)?;
         let equations = self.linear_equations()?;

@@ -6,6 +6,7 @@ mod drives;
 mod force_laws;
 mod generic;
 mod kinds;
+mod law_states;
 mod mechanisms;
 mod overconstrained;
 mod redundancy;

@@ -6,10 +6,12 @@ use ancf::mechanics::constraints::{
 };
 use std::sync::Arc;
 
-use ancf::mechanics::forces::{CoordinateForce, Friction, Spring, Strut};
+use ancf::mechanics::forces::{CoordinateForce, Friction, Spring, StateForce, Strut};
 use ancf::mechanics::functions::Function;
 use ancf::mechanics::kinematics::BodyVector;
-use ancf::mechanics::laws::{LawExpression, LawUnits, LawVariables, Resistance};
+use ancf::mechanics::laws::{
+    LawExpression, LawStateVariable, LawUnits, LawVariables, Resistance, StateLaw,
+};
 use ancf::solver::equations::Term;
 use nalgebra::Vector3;
 
@@ -31,6 +33,15 @@ fn tension(text: &str) -> Resistance {
     Resistance::tensile(formula(text), UNITS, 0.05)
 }
 
+/// Law with two states that depend on the time.
+fn with_states() -> StateForce {
+    let variables = LawVariables { position: "angle", rate: "rate" };
+    let state = |name, rate| LawStateVariable { name, rate, start: 0.2 };
+    let states = [state("a", "t - 0.5*a - a^3"), state("b", "sin(t) - b")];
+    let law = StateLaw::parse("-2*x - 3*x^3 + t", &states, &variables, &[]).unwrap();
+    StateForce::new(vec![OWN, OWN + 1, OWN + 2], Arc::new(law), UNITS, vec![0.7, 1.3])
+}
+
 /// Forces by laws of a coordinate and of a length.
 fn law_terms(point: &BodyVector, other: &BodyVector) -> Vec<(&'static str, Box<dyn Term>, TermKind)> {
     let of_coordinate = |text| Box::new(CoordinateForce::new(OWN, Resistance::acting(formula(text), UNITS)));
@@ -38,6 +49,7 @@ fn law_terms(point: &BodyVector, other: &BodyVector) -> Vec<(&'static str, Box<d
     vec![
         ("law of a coordinate", of_coordinate("-2*x - 3*x^3 - 0.2*v - 0.1*v^3"), TermKind::Smooth),
         ("law of a coordinate and time", of_coordinate("0.3*t - 2*x - 0.2*v"), TermKind::NonConservative),
+        ("law with states", Box::new(with_states()), TermKind::NonConservative),
         ("preloaded law of a length", of_length("x + 0.2*length"), TermKind::Smooth),
         ("preloaded law of a length, damped", of_length("x + 0.3*v + 0.1*v^3"), TermKind::Damped),
         ("law of a length and time", of_length("x*t + 0.4"), TermKind::NonConservative),

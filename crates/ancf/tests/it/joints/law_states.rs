@@ -176,7 +176,7 @@ fn controlled_beams_have_closed_balances() {
          sections.s = { kind = \"circle\", diameter = 0.03 }\n\
          bodies = [{ kind = \"beam\", name = \"b\", from = [0, 0, 0], to = [1, 0, 0], elements = 4, section = \"s\", material = \"m\" }]\n\
          joints = [{ kind = \"revolute\", name = \"hinge\", a = { body = \"b\", at = \"start\" }, axis = [0, -1, 0],\n\
-         moment = { kind = \"expression\", text = \"-20*(angle - 0.5) - 3*rate - 40*sum\", states = [{ name = \"sum\", rate = \"angle - 0.5\" }] } }]\n\
+         moment = { kind = \"expression\", text = \"-20*(angle - 0.5*min(t, 1)^2) - 3*rate - 40*sum\", states = [{ name = \"sum\", rate = \"angle - 0.5*min(t, 1)^2\" }] } }]\n\
          analysis = { kind = \"dynamics\", duration = 8, step = 2e-3 }\n\
          probes = [{ name = \"tip\", on = { body = \"b\", at = \"end\" } }]\n";
     let (series, summary) = run(text);

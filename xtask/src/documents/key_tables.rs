@@ -12,6 +12,7 @@ use serde_json::Value as Json;
 use super::description::Description;
 use crate::python::form::{alternatives, definition, description, referred};
 use crate::python::hint::kind;
+use crate::python::single_analysis::single_analysis;
 use crate::system::shell::Done;
 
 const START: &str = "<!-- keys: ";
@@ -78,7 +79,7 @@ pub(crate) fn write(schema: &str) -> Done {
 /// # Errors
 /// If a marker states an unknown definition, form or key, or has no end.
 fn refreshed(page: &Path, text: &str, schema: &str) -> Result<String, String> {
-    let schema: Json = serde_json::from_str(schema).map_err(|error| format!("the schema: {error}"))?;
+    let schema = single_analysis(schema)?;
     let mut result = String::new();
     let mut rest = text;
     while let Some(at) = rest.find(START) {

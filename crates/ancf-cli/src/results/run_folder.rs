@@ -32,7 +32,9 @@ pub fn open_run(folder: &Path) -> Result<Result<Results, Ended>> {
             folder.display()
         )))),
         Err(OpenError::Model { path, errors }) => Ok(Err(refuse(&errors, &path))),
-        Err(error @ (OpenError::NoRun(_) | OpenError::Sequence { .. })) => Ok(Err(reject(&error.to_string()))),
+        Err(error @ (OpenError::NoRun(_) | OpenError::Sequence { .. })) => {
+            Ok(Err(reject(&error.to_string())))
+        }
         Err(error) => Err(error.into()),
     }
 }

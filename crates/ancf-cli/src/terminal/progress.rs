@@ -77,7 +77,17 @@ impl RunProgress {
 
     fn with(bar: ProgressBar, [start, duration]: [f64; 2], has_steps: bool) -> Self {
         let now = Instant::now();
-        Self { bar, start, duration, has_steps, iterations: None, time: start, rows: 0, begun: now, shown: now }
+        Self {
+            bar,
+            start,
+            duration,
+            has_steps,
+            iterations: None,
+            time: start,
+            rows: 0,
+            begun: now,
+            shown: now,
+        }
     }
 
     /// Message of a row at time `t`.

@@ -16,6 +16,7 @@ mod paper;
 mod resume;
 mod run_folder;
 mod runs;
+mod sequences;
 mod starts;
 mod study;
 #[cfg(feature = "figures")]

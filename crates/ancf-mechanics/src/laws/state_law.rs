@@ -64,7 +64,13 @@ impl StateLaw {
         };
         let rates = states.iter().enumerate().map(rate).collect::<Result<_, _>>()?;
         let inputs = inputs.iter().map(|(_, signal)| signal.clone()).collect();
-        Ok(Self { force, rates, start: states.iter().map(|state| state.start).collect(), unit_of_time: 1.0, inputs })
+        Ok(Self {
+            force,
+            rates,
+            start: states.iter().map(|state| state.start).collect(),
+            unit_of_time: 1.0,
+            inputs,
+        })
     }
 
     /// Sets the value of t after one unit of time of the inputs; 1 by default.

@@ -28,7 +28,8 @@ pub(crate) fn sequence_folders(folder: &Path) -> Option<Vec<String>> {
     }
     let names = fs::read_dir(folder).into_iter().flatten().flatten();
     let numbered = |name: String| Some((name.split_once('-')?.0.parse::<u32>().ok()?, name));
-    let mut found: Vec<_> = names.filter_map(|entry| numbered(entry.file_name().into_string().ok()?)).collect();
+    let mut found: Vec<_> =
+        names.filter_map(|entry| numbered(entry.file_name().into_string().ok()?)).collect();
     found.sort();
     Some(found.into_iter().map(|(_, name)| name).collect())
 }

@@ -69,6 +69,8 @@ fn instants(model: &Model) -> Vec<f64> {
     let mut times: Vec<f64> = (0..=INSTANTS).map(instant).collect();
     let breaks = model.breaks(TimeMode::AsGiven);
     times.extend(breaks.iter().copied().filter(|t| (start..=end).contains(t)));
-    times.extend(breaks.windows(2).map(|pair| 0.5 * (pair[0] + pair[1])).filter(|t| (start..=end).contains(t)));
+    times.extend(
+        breaks.windows(2).map(|pair| 0.5 * (pair[0] + pair[1])).filter(|t| (start..=end).contains(t)),
+    );
     times
 }

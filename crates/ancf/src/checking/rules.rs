@@ -180,9 +180,8 @@ fn initial(model: &IndexedModel<'_>) -> Vec<Finding> {
         let expected = "\"undeformed\", or an analysis that starts in a state: dynamics, statics, modes about an equilibrium";
         finding("initial.from".into(), format!("the results folder {folder:?} for {what}"), expected)
     });
-    let start_time = (start_time != 0.0).then(|| {
-        finding("initial.start_time".into(), number(start_time), "0 in an analysis without time")
-    });
+    let start_time = (start_time != 0.0)
+        .then(|| finding("initial.start_time".into(), number(start_time), "0 in an analysis without time"));
     start.into_iter().chain(start_time).map(|one| one.rests_on(["analysis".into()])).collect()
 }
 

@@ -13,7 +13,9 @@ pub(crate) fn time_warnings(model: &Model) -> Vec<String> {
     };
     let functions = model.time_functions().into_iter();
     let warning = |(path, time)| {
-        let variation = TimeMode::AsGiven.function(time).unresolved_variation([model.initial.start_time, settings.duration], step)?;
+        let variation = TimeMode::AsGiven
+            .function(time)
+            .unresolved_variation([model.initial.start_time, settings.duration], step)?;
         let [at, width, step] = [variation.at, variation.width, step].map(number);
         Some(format!(
             "`{path}` changes by {} within {width} at t = {at}, between the ends of a step of {step}: its effect is lost or \

@@ -85,7 +85,8 @@ impl StartState {
 }
 
 /// Advice after a failed projection of positions.
-const FOR_POSITIONS: &str = "a state of a run with the same joints, and drives with the same values at the start";
+const FOR_POSITIONS: &str =
+    "a state of a run with the same joints, and drives with the same values at the start";
 
 /// Largest displacement of nodes and centres between two states.
 pub(crate) fn displacement(assembly: &Assembly, from: &State, to: &State) -> f64 {

@@ -16,8 +16,8 @@ use serde::{Deserialize, Serialize, Serializer};
 use crate::units::Scaled;
 
 pub use analyses::{
-    About, Analysis, Buckling, Dynamics, EndCondition, EnergyGuard, Initial, InitialStatics, Modes, NewtonMethod, Origin,
-    Output, Path, Probe, Quantity, Scheme, Sense, Start, Statics, Step, Stop, Unstable,
+    About, Analysis, Buckling, Dynamics, EndCondition, EnergyGuard, Initial, InitialStatics, Modes,
+    NewtonMethod, Origin, Output, Path, Probe, Quantity, Scheme, Sense, Start, Statics, Step, Stop, Unstable,
 };
 pub use bodies::{
     At, Beam, Body, BodySurface, Cable, Capability, DisplayShape, EdgeName, EdgePlace, ElementMesh,

@@ -139,7 +139,10 @@ fn check_data_by(mut data: Value, rules: Rules) -> (Option<Model>, Vec<Finding>)
     if let Some(Value::Array(analyses)) = data.get("analysis") {
         let found = format!("a list of {} analyses", analyses.len());
         let error = finding("analysis".into(), found, "a single analysis, as a table");
-        return (None, vec![error.hint("`ancf run` and `ancf check` accept a list, AnalysisSequence in programs")]);
+        return (
+            None,
+            vec![error.hint("`ancf run` and `ancf check` accept a list, AnalysisSequence in programs")],
+        );
     }
     let unread = read_meshes(&mut data);
     if !unread.is_empty() {

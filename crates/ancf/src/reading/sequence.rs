@@ -245,7 +245,11 @@ impl Source {
         for (path, value) in set {
             let place = join(&format!("analysis[{number}].set"), &path);
             if path.starts_with("analysis") || path.starts_with("initial") {
-                findings.push(finding(place, quoted(&path), "a key of the model outside `analysis` and `initial`"));
+                findings.push(finding(
+                    place,
+                    quoted(&path),
+                    "a key of the model outside `analysis` and `initial`",
+                ));
                 continue;
             }
             match substitute(&mut data, &path, value) {
@@ -331,8 +335,9 @@ fn take_set(analysis: &mut Value, number: usize) -> (Table, Vec<Finding>) {
 
 /// Path in the file of a path in the data of a stage.
 fn in_file(path: &str, places: &Places, number: usize) -> String {
-    let is_in =
-        |own: &str| path.strip_prefix(own).is_some_and(|rest| rest.is_empty() || rest.starts_with(['.', '[']));
+    let is_in = |own: &str| {
+        path.strip_prefix(own).is_some_and(|rest| rest.is_empty() || rest.starts_with(['.', '[']))
+    };
     if is_in("analysis") {
         return format!("analysis[{number}]{}", &path["analysis".len()..]);
     }

@@ -10,8 +10,8 @@ mod units;
 mod unknown;
 
 pub(crate) use address::{PathStep, path_of, path_steps};
-pub(crate) use generate::{SCHEMA, forms, found, keys, kind, tag};
 pub use generate::schema;
+pub(crate) use generate::{SCHEMA, forms, found, keys, kind, tag};
 pub use published::schema_text;
 pub use schema_check::join;
 pub(crate) use schema_check::{SchemaCheck, did_you_mean};

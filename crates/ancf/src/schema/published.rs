@@ -9,15 +9,17 @@ const PARTS: [&str; 6] = ["Joint", "Coupling", "Load", "Input", "Contact", "Prob
 
 /// Returns the text of `docs/model.schema.json`, for completion and checks in an editor.
 ///
-/// It is [`schema`] with the keys of files with several analyses ([`AnalysisSequence`](crate::reading::AnalysisSequence)).
+/// It is [`schema`] with the keys of files with several analyses ([`AnalysisSequence`](crate::reading::AnalysisSequence)), which the
+/// keyword `x-sequence` marks.
 pub fn schema_text() -> String {
     let mut schema = schema().to_value();
-    let names = |text: &str| {
-        json!({ "description": text, "type": "array", "items": { "type": "string" } })
-    };
+    let names = |text: &str| json!({ "description": text, "type": "array", "items": { "type": "string" }, "x-sequence": true });
     let presence = [
         ("only_in", names("Names of the analyses of a list in which this part exists; all by default.")),
-        ("not_in", names("Names of the analyses of a list in which this part does not exist; none by default.")),
+        (
+            "not_in",
+            names("Names of the analyses of a list in which this part does not exist; none by default."),
+        ),
     ];
     for part in PARTS {
         add_keys(&mut schema["$defs"][part], &presence);
@@ -36,7 +38,12 @@ pub fn schema_text() -> String {
         "description": "Analysis to run, or a list of analyses.",
         "anyOf": [
             { "$ref": "#/$defs/Analysis" },
-            { "type": "array", "items": { "$ref": "#/$defs/SequenceAnalysis" }, "minItems": 1 },
+            {
+                "type": "array",
+                "items": { "$ref": "#/$defs/SequenceAnalysis" },
+                "minItems": 1,
+                "x-sequence": true,
+            },
         ],
     });
     let text = serde_json::to_string_pretty(&schema);

@@ -8,8 +8,8 @@ use ancf_solver::newton::SolveError;
 
 use super::error::Error;
 use super::run::{
-    AnalysisRun, Checkpoint, EndConditions, ResumeError, RunResult, Simulation, StepControl, Summary, fingerprint,
-    turn_warning,
+    AnalysisRun, Checkpoint, EndConditions, ResumeError, RunResult, Simulation, StepControl, Summary,
+    fingerprint, turn_warning,
 };
 use crate::estimate::MotionEstimate;
 use crate::failure::{AlternationMonitor, RotationMonitor, RunFailure, StabilityMonitor, find_cause};
@@ -21,7 +21,8 @@ use crate::results::{AngleRates, Rows, TIME};
 pub(crate) const COLUMNS: [&str; 5] = ["iterations", "residual", "increment", "drift", "violation"];
 
 /// Warning of conditions that were not met.
-const NOT_MET: &str = "no condition of `analysis.until` was met at a recorded time: the motion ends with its duration";
+const NOT_MET: &str =
+    "no condition of `analysis.until` was met at a recorded time: the motion ends with its duration";
 
 /// State of a running dynamic analysis.
 pub(crate) struct DynamicRun<'a> {
@@ -58,7 +59,17 @@ impl<'a> DynamicRun<'a> {
         update(&mut estimate, &mut control, &mut rows);
         let fingerprint = OnceCell::new();
         let conditions = EndConditions::new(&settings.until, &simulation.columns());
-        Ok(Self { simulation, rows, control, conditions, rotations, alternations, initial, estimate, fingerprint })
+        Ok(Self {
+            simulation,
+            rows,
+            control,
+            conditions,
+            rotations,
+            alternations,
+            initial,
+            estimate,
+            fingerprint,
+        })
     }
 
     fn checkpoint(&self, summary: &Summary, monitor: &StabilityMonitor) -> Checkpoint {

@@ -27,7 +27,12 @@ impl PassedEvents {
 
 impl Events {
     /// Creates the events of an analysis. With error control, steps end at the switches of formulas too.
-    pub(super) fn new(assembly: &Assembly, [start, end]: [f64; 2], is_adaptive: bool, tolerance: f64) -> Self {
+    pub(super) fn new(
+        assembly: &Assembly,
+        [start, end]: [f64; 2],
+        is_adaptive: bool,
+        tolerance: f64,
+    ) -> Self {
         let mut events = Self {
             times: assembly.breaks().to_vec(),
             known: None,

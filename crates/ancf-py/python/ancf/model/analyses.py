@@ -4,11 +4,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import ClassVar, Literal, TypeAlias
 
 from ancf.model.base.arguments import checked_arguments
 from ancf.model.base.part import Part
+from ancf.model.drives import Scales
 
 __all__ = [
     "HHT",
@@ -17,6 +19,7 @@ __all__ = [
     "Buckling",
     "ConvergenceCriterion",
     "Dynamics",
+    "EndCondition",
     "EnergyCriterion",
     "EnergyDamping",
     "EnergyGuard",
@@ -268,6 +271,36 @@ class IncrementCriterion(Part):
 ConvergenceCriterion: TypeAlias = EnergyCriterion | ResidualCriterion | IncrementCriterion
 """Convergence criterion of a Newton iteration."""
 
+
+@checked_arguments
+@dataclass(kw_only=True, slots=True, eq=False, repr=False)
+class EndCondition(Part):
+    """Condition that ends a motion before its duration: a recorded value is above or below a limit.
+
+    It is checked at the recorded times (``Output::interval``(super::Output::interval), each step by default).
+    The state in which it is first met is the last one.
+
+    Attributes
+    ----------
+    value
+        Column of the results, such as ``tip.z`` of a probe or ``hook.fx`` of a joint.
+    above
+        Limit above which the motion ends, in the unit of the column.
+    below
+        Limit below which the motion ends, in the unit of the column.
+    units
+        Units of length, time and force of the model, measured in units of the limits; equal by default.
+
+    """
+
+    _form = "EndCondition"
+
+    value: str
+    above: float | None = None
+    below: float | None = None
+    units: Scales | None = None
+
+
 InstabilityAction: TypeAlias = Literal["stop", "follow", "leave"]
 """Continuation of statics after a loss of stability.
 
@@ -319,6 +352,9 @@ class Dynamics(Part):
         ``"consistent"``.
     stop
         Convergence criterion of the Newton iteration. Default: ``EnergyCriterion(tolerance=1e-8)``.
+    until
+        Conditions that end the motion before its duration, such as a force above a limit; the first one that
+        is met ends it.
 
     """
 
@@ -335,6 +371,7 @@ class Dynamics(Part):
     scheme: Scheme | None = None
     start: InitialAccelerations | None = None
     stop: ConvergenceCriterion | None = None
+    until: Sequence[EndCondition] | None = None
 
 
 @checked_arguments
@@ -501,12 +538,16 @@ class InitialStatics(Part):
 @checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class InitialState(Part):
-    """State at the start of dynamics. Other analyses ignore it.
+    """State at the start of the analysis.
+
+    Statics and modes about an equilibrium may start from a results folder; dynamics from any state.
 
     Attributes
     ----------
     from_
         Origin of the state. The initial velocities of the bodies are added to it. Default: ``"undeformed"``.
+    start_time
+        Time t at the start of a motion from a results folder, time; 0 by default (>= 0).
     statics
         Search for the equilibrium. Default: ``InitialStatics(first=1.0, largest=1.0, max_iterations=100,
         stop=EnergyCriterion(tolerance=1e-12), unstable="follow")``.
@@ -518,5 +559,6 @@ class InitialState(Part):
     _form = "Initial"
 
     from_: InitialOrigin | None = None
+    start_time: float | None = None
     statics: InitialStatics | None = None
     time: float | None = None

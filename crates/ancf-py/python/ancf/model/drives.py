@@ -23,6 +23,7 @@ __all__ = [
     "ForceExpression",
     "JointCoordinate",
     "JointLaw",
+    "LawStateEquation",
     "LinearDrive",
     "LinearFriction",
     "LinearSpring",
@@ -231,6 +232,35 @@ class LinearStops(Part):
 
 @checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
+class LawStateEquation(Part):
+    """State of first order of a force law, such as the integral of a controller, the output of a filter or
+    the force of a hysteresis.
+
+    Formulas of the law contain its value under its name. It is a number in the units of the formulas.
+
+    Attributes
+    ----------
+    name
+        Name in the formulas of the law, and of the column of its value.
+    rate
+        Formula of its rate dz/dt, in x, v, t, inputs and the states of the law, such as ``(x - z)/0.02``.
+    size
+        Typical magnitude of the value, which determines the accuracy of its iterations; 1 by default (> 0).
+    start
+        Value at the start. Default: ``0.0``.
+
+    """
+
+    _form = "LawStateEquation"
+
+    name: str = field(kw_only=False)
+    rate: str
+    size: float | None = None
+    start: float | None = None
+
+
+@checked_arguments
+@dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Scales(Part):
     """Units of length, time and force to which a model is converted.
 
@@ -268,6 +298,9 @@ class ForceExpression(Part):
     ----------
     text
         Formula, such as ``-4*x - 10*x^3 - 0.1*v``.
+    states
+        States of first order, which the formula may contain; none by default. For coordinates of joints in
+        motions; other analyses keep their values at the start.
     units
         Units of length, time and force of the model, measured in units of the formula; equal by default.
 
@@ -278,6 +311,7 @@ class ForceExpression(Part):
     kind: ClassVar[Literal["expression"]] = "expression"
 
     text: str = field(kw_only=False)
+    states: Sequence[LawStateEquation] | None = None
     units: Scales | None = None
 
 

@@ -72,12 +72,7 @@ impl FoundMode {
 
 impl AnalysisRun<'_> {
     /// Computes natural modes about the undeformed state, or about an equilibrium that may start from a given state, one row per mode.
-    pub(crate) fn modes(
-        &mut self,
-        model: &Model,
-        settings: &Modes,
-        given: Option<&StartState>,
-    ) -> RunResult {
+    pub(crate) fn modes(&mut self, model: &Model, settings: &Modes, given: Option<&StartState>) -> RunResult {
         if settings.damped {
             return self.damped_modes(model, settings, given);
         }

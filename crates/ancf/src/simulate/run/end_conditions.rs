@@ -16,7 +16,8 @@ pub(crate) fn unknown_values(model: &Model, columns: &[Column]) -> Vec<ModelErro
         let name = condition.value.as_str();
         known().all(|column| column != name).then(|| {
             let path = format!("analysis.until[{i}].value");
-            let error = ModelError::new(path, quoted(name), "a column of the results, such as `tip.z` of a probe");
+            let error =
+                ModelError::new(path, quoted(name), "a column of the results, such as `tip.z` of a probe");
             did_you_mean(error, nearest(name, known()).map(quoted))
         })
     };

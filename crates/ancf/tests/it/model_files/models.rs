@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use ancf::Model;
 use ancf::model::{Body, ModelError, ScaleChoice, Scheme, Step};
+use ancf::reading::AnalysisSequence;
 use ancf::schema::schema_text;
 use proptest::prelude::*;
 
@@ -38,7 +39,7 @@ fn valid_models_are_read_and_printed() {
     }
 }
 
-/// Every TOML block of `docs/model-file.md` and of the pages in `docs/model-file` is a complete model.
+/// Every TOML block of `docs/model-file.md` and of the pages in `docs/model-file` is a complete model, or a sequence of analyses.
 #[test]
 fn examples_of_the_manual_are_valid() {
     let overview = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/model-file.md");
@@ -48,7 +49,11 @@ fn examples_of_the_manual_are_valid() {
     for page in pages {
         let text = fs::read_to_string(page).unwrap().replace("\r\n", "\n");
         for block in text.split("```toml\n").skip(1).filter_map(|rest| rest.split("```").next()) {
-            Model::parse(block).unwrap_or_else(|errors| panic!("{:#?}\n{block}", texts(&errors)));
+            let read = AnalysisSequence::parse(block).and_then(|sequence| match sequence {
+                Some(_) => Ok(()),
+                None => Model::parse(block).map(|_| ()),
+            });
+            read.unwrap_or_else(|errors| panic!("{:#?}\n{block}", texts(&errors)));
             number += 1;
         }
     }

@@ -142,7 +142,11 @@ fn jumps_have_their_times_in_later_motions() {
         let runs = run_all(&text);
         assert_eq!(last(&runs[0].0, "m.x"), 0.0);
         let exact = 0.265_f64.powi(2);
-        assert!((last(&runs[1].0, "m.x") - exact).abs() < 1e-12, "{step}: {}", last(&runs[1].0, "m.x") - exact);
+        assert!(
+            (last(&runs[1].0, "m.x") - exact).abs() < 1e-12,
+            "{step}: {}",
+            last(&runs[1].0, "m.x") - exact
+        );
     }
 }
 
@@ -193,7 +197,8 @@ fn conditions_do_not_depend_on_units() {
         (summary.time, summary.warnings, summary.ended_by)
     };
     let own = parse(&text("", -1.246));
-    let scaled = parse(&text("scales = { kind = \"given\", length = 0.003, force = 70, time = 0.2 }\n", -1.246));
+    let scaled =
+        parse(&text("scales = { kind = \"given\", length = 0.003, force = 70, time = 0.2 }\n", -1.246));
     let converted = own.scaled(&ancf::Scales { length: 0.01, time: 2.0, force: 30.0 });
     for (model, unit) in [(&own, 1.0), (&scaled, 1.0), (&converted, 2.0)] {
         let (time, warnings, ended_by) = end(model);
@@ -202,7 +207,10 @@ fn conditions_do_not_depend_on_units() {
     }
     let (time, warnings, ended_by) = end(&parse(&text("", -9.0)));
     assert!((time - 1.0).abs() < 1e-12 && ended_by.is_none());
-    assert!(warnings.iter().any(|text| text.contains("no condition of `analysis.until` was met")), "{warnings:?}");
+    assert!(
+        warnings.iter().any(|text| text.contains("no condition of `analysis.until` was met")),
+        "{warnings:?}"
+    );
 }
 
 /// A joint that closes between two moving masses is an inelastic impact: momentum stays, and half of the energy is lost.
@@ -218,7 +226,11 @@ fn a_joint_that_closes_is_an_inelastic_impact() {
     assert!((runs[1].0.column("kinetic").unwrap()[0] / last(&runs[0].0, "kinetic") - 0.5).abs() < 1e-9);
     let Some(InitialReport::Given { corrected, .. }) = runs[1].1.initial else { panic!("a report") };
     assert!((corrected - 0.5).abs() < 1e-9, "{corrected}");
-    assert!(runs[1].1.warnings.iter().any(|text| text.contains("kinetic energy")), "{:?}", runs[1].1.warnings);
+    assert!(
+        runs[1].1.warnings.iter().any(|text| text.contains("kinetic energy")),
+        "{:?}",
+        runs[1].1.warnings
+    );
 }
 
 /// Values of other keys may differ between analyses.
@@ -228,7 +240,8 @@ fn analyses_may_set_values() {
     let set = "{ kind = \"statics\", name = \"a\" }, { kind = \"statics\", name = \"b\", set = { gravity = [0, 0, 0], \"loads[0].force\" = [0, 1, 0] } }";
     let runs = run_all(&arm("", force, set));
     assert!(last(&runs[1].0, "tip.z").abs() < 1e-9);
-    let alone = arm("", &force.replace("[0, 0, 1]", "[0, 1, 0]"), "{ kind = \"statics\" }").replace("-9.81", "0");
+    let alone =
+        arm("", &force.replace("[0, 0, 1]", "[0, 1, 0]"), "{ kind = \"statics\" }").replace("-9.81", "0");
     let (a, b) = (last(&run_all(&alone)[0].0, "tip.y"), last(&runs[1].0, "tip.y"));
     assert!((a - b).abs() < 1e-8 * a, "{a} {b}");
 }
@@ -267,7 +280,8 @@ fn modes_start_from_the_state_before() {
 fn errors_have_their_places_in_the_file() {
     let message = |text: &str| AnalysisSequence::parse(text).unwrap_err().to_string();
     let load = "{ kind = \"force\", on = { body = \"arm\", at = \"end\" }, force = [0, 0, \"x\"], only_in = [\"hang\", \"puls\"] }";
-    let other = "{ kind = \"force\", on = { body = \"am\", at = \"end\" }, force = [0, 0, 1], not_in = [\"hang\"] }";
+    let other =
+        "{ kind = \"force\", on = { body = \"am\", at = \"end\" }, force = [0, 0, 1], not_in = [\"hang\"] }";
     let analyses = "{ kind = \"statics\", name = \"hang\" }, { kind = \"dynamics\", name = \"pull\", duration = 1, step = 2, set = { gravty = 1 } }";
     let text = arm("", &format!("{load}, {other}"), analyses);
     let errors = message(&text);
@@ -281,13 +295,24 @@ fn errors_have_their_places_in_the_file() {
         assert_eq!(errors.matches(expected).count(), 1, "{expected}\n{errors}");
     }
     let twice = arm("", "", "{ kind = \"statics\" }, { kind = \"statics\" }");
-    assert!(message(&twice).contains("analysis[1].name: found no name, and a second \"statics\", expected a unique name"));
+    assert!(
+        message(&twice)
+            .contains("analysis[1].name: found no name, and a second \"statics\", expected a unique name")
+    );
     let path = arm("", "", "{ kind = \"statics\" }, { kind = \"path\" }");
-    assert!(message(&path).contains("for a path, expected \"undeformed\", or an analysis that starts in a state"), "{}", message(&path));
+    assert!(
+        message(&path).contains("for a path, expected \"undeformed\", or an analysis that starts in a state"),
+        "{}",
+        message(&path)
+    );
     let single = Model::parse(&arm("", "", "{ kind = \"statics\" }")).unwrap_err().to_string();
     assert!(single.contains("analysis: found a list of 1 analyses, expected a single analysis"), "{single}");
-    let unknown = "{ kind = \"dynamics\", duration = 1, step = 0.1, until = [{ value = \"tip.zz\", above = 1 }] }";
+    let unknown =
+        "{ kind = \"dynamics\", duration = 1, step = 0.1, until = [{ value = \"tip.zz\", above = 1 }] }";
     let sequence = AnalysisSequence::parse(&arm("", "", unknown)).unwrap().unwrap();
     let error = Simulation::new(&sequence.stages[0].model).unwrap_err().to_string();
-    assert!(error.contains("analysis.until[0].value: found \"tip.zz\", expected a column of the results"), "{error}");
+    assert!(
+        error.contains("analysis.until[0].value: found \"tip.zz\", expected a column of the results"),
+        "{error}"
+    );
 }

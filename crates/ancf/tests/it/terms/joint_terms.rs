@@ -9,9 +9,7 @@ use std::sync::Arc;
 use ancf::mechanics::forces::{CoordinateForce, Friction, Spring, StateForce, Strut};
 use ancf::mechanics::functions::Function;
 use ancf::mechanics::kinematics::BodyVector;
-use ancf::mechanics::laws::{
-    LawExpression, LawStateVariable, LawUnits, LawVariables, Resistance, StateLaw,
-};
+use ancf::mechanics::laws::{LawExpression, LawStateVariable, LawUnits, LawVariables, Resistance, StateLaw};
 use ancf::solver::equations::Term;
 use nalgebra::Vector3;
 

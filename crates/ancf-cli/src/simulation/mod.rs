@@ -1,5 +1,6 @@
 //! Commands that run models: `ancf run`, `resume`, `study`.
 
+mod continuation;
 mod model_text;
 mod recording;
 mod requested_error;

@@ -100,7 +100,13 @@ pub fn record(
     if command == Command::Single {
         print_json(&output);
     }
-    let ended = match summary.outcome {
+    let ended = report(&summary, &sentence, is_motion, has_shells);
+    Ok(Recorded { ended, time, json })
+}
+
+/// Reports the end of a run: its errors, and a sentence with its outcome.
+fn report(summary: &Summary, sentence: &str, is_motion: bool, has_shells: bool) -> Ended {
+    match summary.outcome {
         Outcome::Finished => {
             // An unresolved mesh is among the warnings.
             let errors = summary.errors.as_ref().filter(|errors| errors.resolution != Resolution::Unresolved);
@@ -114,19 +120,18 @@ pub fn record(
                 );
             }
             summary.ended_by.iter().for_each(|why| print_status(&format!("ended: {why}")));
-            print_status(&sentence);
+            print_status(sentence);
             Ended::Done
         }
         Outcome::Stopped => {
-            print_status(&sentence);
+            print_status(sentence);
             Ended::Stopped
         }
         Outcome::Failed { .. } => {
-            print_error(&sentence);
+            print_error(sentence);
             Ended::Failed
         }
-    };
-    Ok(Recorded { ended, time, json })
+    }
 }
 
 /// Adds the folder of the results so far, if any, to an error.

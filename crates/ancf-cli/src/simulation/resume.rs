@@ -3,17 +3,16 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
+use ancf::Model;
 use ancf::reading::AnalysisSequence;
-use ancf::solver::newton::Interrupt;
-use ancf::{Model, Simulation};
-use ancf_results::{CheckpointError, CheckpointInterval, Recorder, Results, sequence_file};
+use ancf_results::{CheckpointInterval, sequence_file};
 use ancf_surface::BodySurfaces;
 use anyhow::Result;
 use clap::Args;
 
-use super::recording::{Command, Recorded, RunJson, checkpoint_interval, record};
+use super::continuation::resume;
+use super::recording::{Command, RunJson, checkpoint_interval};
 use super::sequence::SequenceRun;
-use crate::model::start_of;
 use crate::results::open_run;
 use crate::terminal::{Ended, interrupt, print_json, print_status, refuse, reject};
 
@@ -73,39 +72,4 @@ impl ResumeArguments {
         let (surfaces, _) = BodySurfaces::of_run(&first.model, &folder.join(&first.folder));
         SequenceRun { file, folder, surfaces, checkpoint, interrupt: interrupt()? }.run(&sequence, true)
     }
-}
-
-/// Resumes a run from its last checkpoint, or from the beginning if there is none.
-pub fn resume(
-    command: Command,
-    results: &Results,
-    interval: CheckpointInterval,
-    interrupt: &Interrupt,
-) -> Result<Recorded> {
-    let (folder, text, model) = (results.folder().clone(), results.text(), results.model());
-    let simulation = Simulation::new(model)?.with_interrupt(interrupt.clone());
-    let resumed = match Recorder::resume(folder.clone(), text, model, &simulation) {
-        Err(error @ CheckpointError::Damaged { .. }) => {
-            return Ok(Recorded::rejected(reject(&error.to_string())));
-        }
-        resumed => resumed?,
-    };
-    if let Some((recorder, from)) = resumed {
-        print_status(&format!("resuming from t = {}", from.time()));
-        let recorder = recorder.with_checkpoints(interval);
-        return record(command, model, recorder, |observer| simulation.resume(&from, observer));
-    }
-    print_status("no checkpoint found: starting from the beginning");
-    let file = folder.model();
-    let start = match start_of(model, &simulation, text, &file) {
-        Ok(start) => start,
-        Err(errors) => return Ok(Recorded::rejected(refuse(&errors, &file))),
-    };
-    let (surfaces, _) = BodySurfaces::of_run(model, folder.path());
-    let recorder = Recorder::new(folder, &file.display().to_string(), text, model, &simulation);
-    let recorder = recorder.with_checkpoints(interval).with_display(surfaces.files()?);
-    record(command, model, recorder, |observer| match &start {
-        Some(start) => Ok(simulation.run_from(start, observer)?),
-        None => Ok(simulation.run(observer)?),
-    })
 }

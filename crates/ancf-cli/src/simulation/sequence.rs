@@ -11,8 +11,8 @@ use ancf_surface::BodySurfaces;
 use anyhow::{Context, Result};
 use serde::Serialize;
 
+use super::continuation::resume;
 use super::recording::{Command, Recorded, record};
-use super::resume::resume;
 use crate::model::start_of;
 use crate::terminal::{Ended, print_json, print_status, reject};
 

@@ -73,6 +73,13 @@ impl Assembly {
         State::rest(self.system.coordinates(), self.system.multipliers())
     }
 
+    /// Largest displacement of nodes and centres between two states.
+    pub(crate) fn displacement(&self, from: &State, to: &State) -> f64 {
+        let pairs = self.bodies().flat_map(|(_, body)| body.vectors(from).into_iter().zip(body.vectors(to)));
+        let moved = pairs.filter(|(vector, _)| vector.is_position()).map(|(a, b)| (b.value - a.value).norm());
+        moved.fold(0.0, f64::max)
+    }
+
     /// Names of the joints.
     pub fn joints(&self) -> impl Iterator<Item = &str> {
         self.joints.iter().map(|joint| joint.name.as_str())

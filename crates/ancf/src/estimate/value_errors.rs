@@ -9,7 +9,6 @@ use serde::{Deserialize, Serialize};
 use super::gap_field::{BodyGaps, GapField};
 use super::movement::{moved, sizes_of};
 use crate::assembly::{Assembly, RecordedQuantity};
-use crate::initial::displacement;
 use crate::model::Quantity;
 use crate::units::{Dimension, Scales};
 
@@ -126,7 +125,7 @@ impl<'a> ValueErrors<'a> {
             values.extend(of_probe);
         }
         values.extend(self.of_joints());
-        let moved = displacement(assembly, &assembly.rest(), state) * self.unit(Dimension::LENGTH);
+        let moved = assembly.displacement(&assembly.rest(), state) * self.unit(Dimension::LENGTH);
         (values, largest_error(&displacements, moved))
     }
 

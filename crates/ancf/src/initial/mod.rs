@@ -15,6 +15,5 @@ pub(crate) use given_state::coordinate_units;
 pub(crate) use initial_state::InitialState;
 pub use report::InitialReport;
 pub use start_state::StartState;
-pub(crate) use start_state::displacement;
 pub(crate) use static_start::StaticStart;
 pub(crate) use turn_counter::TurnCounter;

@@ -38,7 +38,7 @@ impl StartState {
         let length = model.length();
         consistent_positions(&assembly.system, &mut assembly.system.matrix(), &mut state, length)
             .map_err(|error| self.failure(error))?;
-        let moved = displacement(assembly, &self.state, &state);
+        let moved = assembly.displacement(&self.state, &state);
         let state = assembly.with_motions(state, model);
         let corrected = assembly.projection(&state).unwrap_or(0.0);
         let source = self.source.clone();
@@ -87,10 +87,3 @@ impl StartState {
 /// Advice after a failed projection of positions.
 const FOR_POSITIONS: &str =
     "a state of a run with the same joints, and drives with the same values at the start";
-
-/// Largest displacement of nodes and centres between two states.
-pub(crate) fn displacement(assembly: &Assembly, from: &State, to: &State) -> f64 {
-    let pairs = assembly.bodies().flat_map(|(_, body)| body.vectors(from).into_iter().zip(body.vectors(to)));
-    let moved = pairs.filter(|(vector, _)| vector.is_position()).map(|(a, b)| (b.value - a.value).norm());
-    moved.fold(0.0, f64::max)
-}

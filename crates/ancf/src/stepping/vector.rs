@@ -4,7 +4,7 @@ use ancf_solver::equations::State;
 use super::step_error::{StepError, argument};
 use super::stepper::Stepper;
 use crate::failure::{AlternationMonitor, RotationMonitor};
-use crate::initial::{coordinate_units, displacement};
+use crate::initial::coordinate_units;
 use crate::results::{AngleRates, Rows, TIME};
 use crate::simulate::COLUMNS;
 
@@ -99,7 +99,7 @@ impl Stepper {
         let system = &assembly.system;
         consistent_positions(system, &mut system.matrix(), &mut consistent, scaled.length())
             .map_err(|error| self.failed(error))?;
-        let moved = displacement(assembly, &s, &consistent) * self.simulation.scales().length;
+        let moved = assembly.displacement(&s, &consistent) * self.simulation.scales().length;
         let corrected = assembly.projection(&consistent).unwrap_or(0.0);
         self.dynamics.set_state(&consistent).map_err(|error| self.failed(error))?;
         self.begin_history();

@@ -1,4 +1,3 @@
-use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::fmt;
 use std::sync::Arc;
@@ -10,7 +9,7 @@ use ancf_mechanics::constraints::{
 };
 use ancf_mechanics::forces::{CoordinateForce, Friction, Spring, StateForce, Strut};
 use ancf_mechanics::functions::Function;
-use ancf_mechanics::kinematics::{Attachment, BodyVector, Directions, ElementAxis};
+use ancf_mechanics::kinematics::{Attachment, BodyVector, Directions};
 use ancf_mechanics::laws::{LawUnits, Resistance};
 use ancf_mechanics::shells::{ShearShellMesh, ShellMesh};
 use nalgebra::Vector3;
@@ -19,42 +18,11 @@ use super::actions::JointActions;
 use super::clamped_gradients::{ClampedGradients, reference};
 use super::coupling::JointCoordinate;
 use super::end::{End, Ground};
-use super::equations::{JointEquations, LinearRows, Part};
+use super::equations::{JointEnds, JointEquations, Numbering, Part};
 use super::measures;
 use super::recorded_coordinate::{RecordedCoordinate, Source};
 use super::term::JointTerm;
 use crate::model::{JointLaw, LawKind, LawUse, ShearShell, TimeFunction, TimeMode};
-
-/// Ends of a joint as attachments to bodies.
-pub(crate) struct JointEnds<'a> {
-    pub(crate) a: &'a Attachment,
-    pub(crate) b: &'a Attachment,
-    /// Second end as given.
-    pub(crate) stated: &'a End,
-    /// Element axes of the second body and the arc length there, for points that slide along it.
-    pub(crate) beam: Option<(Vec<ElementAxis>, f64)>,
-    /// Mesh of the first body, if it is a thin shell.
-    pub(crate) shell: Option<&'a ShellMesh>,
-    /// Mesh and data of the first body, if it is a shear-deformable shell.
-    pub(crate) shear_shell: Option<(&'a ShearShellMesh, &'a ShearShell)>,
-    /// Mesh of the second body, if it is a thin shell.
-    pub(crate) other_shell: Option<&'a ShellMesh>,
-    /// Linear equations of the edges of shells so far.
-    pub(crate) edge_rows: &'a RefCell<LinearRows>,
-    /// Default of [`ClampedGradients`]: true for a beam of the continuum formulation on the ground, on a rigid body, or on another
-    /// one with parallel sections. Elsewhere equal gradients would couple strains of different directions or laws.
-    pub(crate) all_gradients: bool,
-}
-
-/// First unused coordinate and multiplier, and what is common to all joints.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Numbering {
-    pub(crate) coordinate: usize,
-    pub(crate) multiplier: usize,
-    pub(crate) time_mode: TimeMode,
-    /// Typical energy of the model, for the states of force laws.
-    pub(crate) energy: f64,
-}
 
 /// Builder of the equations of one joint.
 ///

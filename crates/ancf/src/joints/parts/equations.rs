@@ -1,13 +1,49 @@
+use std::cell::RefCell;
 use std::collections::{BTreeSet, HashMap};
 use std::fmt;
 use std::ops::Range;
 
 use ancf_mechanics::constraints::{CoincidenceConstraint, ConstraintGroup, Wrench};
+use ancf_mechanics::kinematics::{Attachment, ElementAxis};
+use ancf_mechanics::shells::{ShearShellMesh, ShellMesh};
 use ancf_solver::equations::{State, Term};
 use nalgebra::Vector3;
 
+use super::end::End;
 use super::recorded_coordinate::RecordedCoordinate;
 use super::term::JointTerm;
+use crate::model::{ShearShell, TimeMode};
+
+/// Ends of a joint as attachments to bodies.
+pub(crate) struct JointEnds<'a> {
+    pub(crate) a: &'a Attachment,
+    pub(crate) b: &'a Attachment,
+    /// Second end as given.
+    pub(crate) stated: &'a End,
+    /// Element axes of the second body and the arc length there, for points that slide along it.
+    pub(crate) beam: Option<(Vec<ElementAxis>, f64)>,
+    /// Mesh of the first body, if it is a thin shell.
+    pub(crate) shell: Option<&'a ShellMesh>,
+    /// Mesh and data of the first body, if it is a shear-deformable shell.
+    pub(crate) shear_shell: Option<(&'a ShearShellMesh, &'a ShearShell)>,
+    /// Mesh of the second body, if it is a thin shell.
+    pub(crate) other_shell: Option<&'a ShellMesh>,
+    /// Linear equations of the edges of shells so far.
+    pub(crate) edge_rows: &'a RefCell<LinearRows>,
+    /// Default of [`ClampedGradients`](super::ClampedGradients): true for a beam of the continuum formulation on the ground, on a rigid body, or on another
+    /// one with parallel sections. Elsewhere equal gradients would couple strains of different directions or laws.
+    pub(crate) all_gradients: bool,
+}
+
+/// First unused coordinate and multiplier, and what is common to all joints.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Numbering {
+    pub(crate) coordinate: usize,
+    pub(crate) multiplier: usize,
+    pub(crate) time_mode: TimeMode,
+    /// Typical energy of the model, for the states of force laws.
+    pub(crate) energy: f64,
+}
 
 /// Result of closing the gaps of a model, in the units of the assembly.
 #[derive(Clone, Debug)]

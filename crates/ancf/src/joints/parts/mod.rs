@@ -18,13 +18,13 @@ pub use actions::{
     LinearSpring, LinearStops, PrescribedMotion,
 };
 pub use builder::JointBuilder;
-pub(crate) use builder::{JointEnds, Numbering};
+
 pub use clamped_gradients::ClampedGradients;
 pub use coupling::{Coupled, Coupling, JointCoordinate};
 pub use custom::CustomJoint;
 pub use end::{End, Ground};
 pub use equations::GapClosure;
-pub(crate) use equations::{Gap, JointEquations, LinearRows};
+pub(crate) use equations::{Gap, JointEnds, JointEquations, LinearRows, Numbering};
 pub use kind::{JointContext, JointKind, JointObject, JointSymbol};
 pub use recorded_coordinate::RecordedCoordinate;
 pub use term::JointTerm;

@@ -6,7 +6,7 @@ use crate::units::{Dimension, Scaled, Scales};
 
 /// Condition that ends a motion before its duration: a recorded value is above or below a limit.
 ///
-/// It is checked at the recorded times ([`Output::interval`](super::Output::interval), each step by default). The state in which it
+/// It is checked at the recorded times (`output.interval`, each step by default). The state in which it
 /// is first met is the last one.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(deny_unknown_fields)]

@@ -216,7 +216,7 @@ fn diagnose(text: &str, file: &Path) -> Result<Vec<(String, Diagnosis)>, ModelEr
     }
     let model = Model::parse(text)?;
     surfaces_of(&model, text, file)?;
-    let diagnosis = model.diagnose()?;
+    let diagnosis = model.diagnose().map_err(|errors| with_places(errors, text))?;
     let has_conditions = model.analysis.dynamics().is_some_and(|own| !own.until.is_empty());
     if model.starts_from().is_some() || has_conditions {
         let simulation = Simulation::new(&model).map_err(|errors| with_places(errors, text))?;

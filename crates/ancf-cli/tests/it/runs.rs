@@ -175,7 +175,7 @@ fn external_functions_are_rejected() {
         assert_eq!(output.status.code(), Some(2), "{}", stderr(&output));
         let messages = stderr(&output);
         assert_eq!(messages.lines().count(), 5, "{messages}");
-        let motor = "external.toml: joints[0].drive.time.name: found the external function \"motor\", expected a function \
+        let motor = "external.toml:30:59: joints[0].drive.time.name: found the external function \"motor\", expected a function \
                      that the program supplies under this name\n";
         assert!(messages.contains(motor), "{messages}");
     }

@@ -303,6 +303,10 @@ impl Source {
             let kind = self.analyses[i].get("kind").and_then(Value::as_str);
             kind.is_some_and(|kind| kinds.contains(&kind))
         };
+        let about = self.analyses[number].get("about").and_then(Value::as_str);
+        if is_of(number, &["modes"]) && about != Some("equilibrium") {
+            return; // About the undeformed state.
+        }
         let Some(last) = (0..number).rev().find(|i| !is_of(*i, &["modes", "buckling"])) else { return };
         data.remove("assemble");
         let mut initial = Table::new();
@@ -340,6 +344,9 @@ fn in_file(path: &str, places: &Places, number: usize) -> String {
     };
     if is_in("analysis") {
         return format!("analysis[{number}]{}", &path["analysis".len()..]);
+    }
+    if number > 0 && is_in("initial") {
+        return format!("analysis[{number}]"); // It starts in the state before.
     }
     // The longest path is that of a changed key.
     let known = places.iter().filter(|(own, _)| is_in(own)).max_by_key(|(own, _)| own.len());

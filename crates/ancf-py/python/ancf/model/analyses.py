@@ -277,8 +277,8 @@ ConvergenceCriterion: TypeAlias = EnergyCriterion | ResidualCriterion | Incremen
 class EndCondition(Part):
     """Condition that ends a motion before its duration: a recorded value is above or below a limit.
 
-    It is checked at the recorded times (``Output::interval``(super::Output::interval), each step by default).
-    The state in which it is first met is the last one.
+    It is checked at the recorded times (``output.interval``, each step by default). The state in which it is
+    first met is the last one.
 
     Attributes
     ----------

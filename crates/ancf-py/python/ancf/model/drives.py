@@ -233,8 +233,7 @@ class LinearStops(Part):
 @checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class LawStateEquation(Part):
-    """State of first order of a force law, such as the integral of a controller, the output of a filter or
-    the force of a hysteresis.
+    """State of first order of a force law, such as the integral of a controller or the output of a filter.
 
     Formulas of the law contain its value under its name. It is a number in the units of the formulas.
 

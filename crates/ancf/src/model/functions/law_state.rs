@@ -3,7 +3,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::units::Scaled;
 
-/// State of first order of a force law, such as the integral of a controller, the output of a filter or the force of a hysteresis.
+/// State of first order of a force law, such as the integral of a controller or the output of a filter.
 ///
 /// Formulas of the law contain its value under its name. It is a number in the units of the formulas.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]

@@ -99,11 +99,11 @@ fn integral_controllers_leave_no_deviation() {
 /// Hysteresis of Bouc and Wen under a prescribed motion: the force is that of an independent integration.
 #[test]
 fn hysteresis_follows_an_independent_integration() {
-    let rate = |v: f64, z: f64| v - 0.5 * v.abs() * z.abs() * z / 0.01 - 0.5 * v * z * z.abs() / 0.01;
+    let rate = |v: f64, z: f64| v - 0.5 * v.abs() * z.abs() * z / 0.01 - 0.5 * v * z * z / 0.01;
     let x = |t: f64| 0.04 * (2.0 * t).sin();
     let v = |t: f64| 0.08 * (2.0 * t).cos();
     let law = "drive = { displacement = 0.04, time = { kind = \"expression\", text = \"sin(2*t)\" } }, force = { kind = \"expression\", \
-               text = \"-1000*x - 4000*z\", states = [{ name = \"z\", size = 0.01, rate = \"v - 50*abs(v)*abs(z)*z - 50*v*z*abs(z)\" }] }";
+               text = \"-1000*x - 4000*z\", states = [{ name = \"z\", size = 0.01, rate = \"v - 50*abs(v)*abs(z)*z - 50*v*z^2\" }] }";
     // The drive starts with a velocity, which the state of the body has not.
     let (series, _) = run(&guided(law, "", &motion(6.0, 0.002)));
     let (n, mut z) = (60_000, 0.0_f64);

@@ -292,13 +292,17 @@ def test_every_form_of_the_schema_has_a_class() -> None:
     """Every table has a class and every key a documented attribute."""
     schema = json.loads((ROOT / "docs/model.schema.json").read_text("utf-8"))
     tables = [schema]
+    # Lists of analyses belong to model files.
+    schema["$defs"].pop("SequenceAnalysis")
     for definition in schema["$defs"].values():
         tables += [
             form
             for form in definition.get("oneOf", definition.get("anyOf", [definition]))
             if "properties" in form
         ]
-    expected = sorted(sorted(table["properties"]) for table in tables)
+    expected = sorted(
+        sorted(key for key, of in table["properties"].items() if "x-sequence" not in of) for table in tables
+    )
     found = []
     for part in CLASSES:
         tag = [part._tag] if part._tag else []

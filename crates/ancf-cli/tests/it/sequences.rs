@@ -68,7 +68,8 @@ fn commands_about_results_name_the_folders_of_the_analyses() {
     for command in ["report", "paraview"] {
         let done = folder.ancf(&[command, "out"]);
         assert_eq!(done.code, Some(2), "{}", done.messages);
-        let expected = "contains the results of several analyses: choose one of its folders 1-hang, 2-modes, 3-fall";
+        let expected =
+            "contains the results of several analyses: choose one of its folders 1-hang, 2-modes, 3-fall";
         assert!(done.messages.contains(expected), "{}", done.messages);
     }
 }

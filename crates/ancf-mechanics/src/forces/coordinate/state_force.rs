@@ -116,9 +116,8 @@ impl Term for StateForce {
 
     fn supplied_power(&self, at: &Local<'_>) -> f64 {
         // The residuals of the states, zero in a solution, do no work.
-        let of_states = |(k, mass): (usize, &f64)| {
-            mass * (at.a[k + 1] - self.acceleration(k, at)[0]) * at.v[k + 1]
-        };
+        let of_states =
+            |(k, mass): (usize, &f64)| mass * (at.a[k + 1] - self.acceleration(k, at)[0]) * at.v[k + 1];
         -at.v[0] * self.resistance(at, 0.0).force - self.masses.iter().enumerate().map(of_states).sum::<f64>()
     }
 

@@ -6,7 +6,7 @@ use ancf_results::{CheckpointError, CheckpointInterval, Recorder, Results};
 use ancf_surface::BodySurfaces;
 use anyhow::Result;
 
-use super::recording::{Command, Recorded, record};
+use super::recording::{Command, Recorded, record, run_from};
 use crate::model::start_of;
 use crate::terminal::{print_status, refuse, reject};
 
@@ -39,8 +39,5 @@ pub fn resume(
     let (surfaces, _) = BodySurfaces::of_run(model, folder.path());
     let recorder = Recorder::new(folder, &file.display().to_string(), text, model, &simulation);
     let recorder = recorder.with_checkpoints(interval).with_display(surfaces.files()?);
-    record(command, model, recorder, |observer| match &start {
-        Some(start) => Ok(simulation.run_from(start, observer)?),
-        None => Ok(simulation.run(observer)?),
-    })
+    record(command, model, recorder, |observer| run_from(&simulation, start.as_ref(), observer))
 }

@@ -9,7 +9,7 @@ use ancf::errors::short;
 use ancf::estimate::Resolution;
 use ancf::record::Sink;
 use ancf::solver::equations::State;
-use ancf::{Checkpoint, Model, Observer, Outcome, Summary};
+use ancf::{Checkpoint, Model, Observer, Outcome, Simulation, StartState, Summary};
 use ancf_results::{CheckpointInterval, Recorder};
 use anyhow::Result;
 use serde::Serialize;
@@ -102,6 +102,18 @@ pub fn record(
     }
     let ended = report(&summary, &sentence, is_motion, has_shells);
     Ok(Recorded { ended, time, json })
+}
+
+/// Runs a simulation from a given state, or from the state of its model.
+pub fn run_from(
+    simulation: &Simulation,
+    start: Option<&StartState>,
+    observer: &mut dyn Observer,
+) -> Result<Summary, ancf::Error> {
+    Ok(match start {
+        Some(start) => simulation.run_from(start, observer)?,
+        None => simulation.run(observer)?,
+    })
 }
 
 /// Reports the end of a run: its errors, and a sentence with its outcome.

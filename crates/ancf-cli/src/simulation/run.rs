@@ -4,14 +4,14 @@ use std::path::{Path, PathBuf};
 
 use ancf::estimate::MeshStep;
 use ancf::reading::{AnalysisSequence, with_places};
-use ancf::{Model, RefinedModel, Simulation, can_refine, refine};
+use ancf::{Model, Observer, RefinedModel, Simulation, can_refine, refine};
 use ancf_report::BUDGET;
 use ancf_results::{CheckpointInterval, Folder, Recorder, sequence_file, write_sequence};
 use anyhow::Result;
 use clap::Args;
 
 use super::model_text::{with_elements, with_errors};
-use super::recording::{Command, checkpoint_interval, record};
+use super::recording::{Command, checkpoint_interval, record, run_from};
 use super::requested_error::requested_error;
 use super::sequence::SequenceRun;
 use crate::model::{check_stages, start_of, surfaces_of};
@@ -158,11 +158,8 @@ impl RunArguments {
         let Some(requested) = self.to else {
             let simulation = simulation.with_interrupt(interrupt()?);
             let recorder = recorder(&text, &model, &simulation);
-            let recorded = record(Command::Single, &model, recorder, |observer| match &start {
-                Some(start) => Ok(simulation.run_from(start, observer)?),
-                None => Ok(simulation.run(observer)?),
-            });
-            return Ok(recorded?.ended);
+            let run = |observer: &mut dyn Observer| run_from(&simulation, start.as_ref(), observer);
+            return Ok(record(Command::Single, &model, recorder, run)?.ended);
         };
         if !can_refine(&model.analysis) || start.is_some() {
             return Ok(reject(

@@ -12,7 +12,7 @@ use anyhow::{Context, Result};
 use serde::Serialize;
 
 use super::continuation::resume;
-use super::recording::{Command, Recorded, record};
+use super::recording::{Command, Recorded, record, run_from};
 use crate::model::start_of;
 use crate::terminal::{Ended, print_json, print_status, reject};
 
@@ -95,9 +95,8 @@ impl SequenceRun<'_> {
         let name = format!("{}, analysis `{}`", self.file.display(), stage.name);
         let recorder = Recorder::new(Folder::new(folder), &name, text, &model, &simulation);
         let recorder = recorder.with_checkpoints(self.checkpoint).with_display(self.surfaces.files()?);
-        record(Command::Sequence, &model, recorder, |observer| match &start {
-            Some(start) => Ok(simulation.run_from(start, observer)?),
-            None => Ok(simulation.run(observer)?),
+        record(Command::Sequence, &model, recorder, |observer| {
+            run_from(&simulation, start.as_ref(), observer)
         })
     }
 }

@@ -1,6 +1,6 @@
 //! A kind of joint that a program adds: a bearing with dry friction.
 
-use ancf::joints::{End, JointActions, JointBuilder, JointKind};
+use ancf::joints::{End, JointActions, JointBuilder, JointFriction, JointKind};
 use ancf::model::Place;
 use ancf::record::Series;
 use ancf::units::Scaled;
@@ -36,7 +36,8 @@ impl JointKind for Bearing {
     }
 
     fn build(&self, builder: &mut JointBuilder<'_>) {
-        let friction = JointActions { friction: Some([self.torque, self.rate]), ..JointActions::default() };
+        let friction = Some(JointFriction::constant(self.torque, self.rate));
+        let friction = JointActions { friction, ..JointActions::default() };
         builder.coincide();
         builder.parallel([0.0, 0.0, 1.0], "bearing axis");
         builder.angle([0.0, 0.0, 1.0], &friction);

@@ -57,7 +57,10 @@ fn packed(environment: &Environment) -> Result<PathBuf, String> {
 /// Builds the documentation site into `target/site`.
 pub(crate) fn docs() -> Done {
     let environment = environment()?;
-    environment.install([format!("{}[test,docs]", root().display())])?;
+    // Pages run the program and export FMUs.
+    let wheel = packed(&environment)?;
+    environment.install([Path::new("--force-reinstall"), Path::new("--no-deps"), &wheel])?;
+    environment.install([format!("{}[test,docs]", wheel.display())])?;
     step(&environment, "site", "sphinx-build", &["-E", "-W", "--keep-going", "docs", "target/site"])?;
     say("the site is in target/site/index.html");
     Ok(())

@@ -2,7 +2,8 @@
 
 use ancf::Model;
 use ancf::model::{
-    At, Body, ContactSurface, Coupling, End, InitialMotion, Joint, JointCoordinate, Load, Place, Shape,
+    At, Body, ContactSurface, Coupling, End, InitialMotion, Joint, JointCoordinate, Load, Measure, Place,
+    Shape,
 };
 
 use super::frame::Frame;
@@ -148,6 +149,11 @@ impl Frame {
             }
             Joint::Prismatic(joint) => {
                 joint.axis = self.polar(joint.axis);
+                (&mut joint.a, Some(&mut joint.b))
+            }
+            Joint::Sensor(joint) => {
+                let turns = joint.measure == Measure::Angle;
+                joint.axis = joint.axis.map(|axis| if turns { self.axial(axis) } else { self.polar(axis) });
                 (&mut joint.a, Some(&mut joint.b))
             }
             Joint::Planar(joint) => {

@@ -72,6 +72,7 @@ fn exchange(joint: &mut Joint) -> Option<Moment> {
         Joint::Spherical(joint) => swap(&mut joint.a, &mut joint.b)?,
         Joint::Distance(joint) => swap(&mut joint.a, &mut joint.b)?,
         Joint::Spring(joint) => swap(&mut joint.a, &mut joint.b)?,
+        Joint::Sensor(joint) if joint.axis.is_none() => swap(&mut joint.a, &mut joint.b)?,
         Joint::Revolute(joint) => {
             swap(&mut joint.a, &mut joint.b)?;
             reversed(&mut joint.axis);
@@ -102,7 +103,8 @@ fn exchange(joint: &mut Joint) -> Option<Moment> {
         | Joint::MatrixBushing(_)
         | Joint::Support(_)
         | Joint::Seam(_)
-        | Joint::Custom(_) => {
+        | Joint::Custom(_)
+        | Joint::Sensor(_) => {
             return None;
         }
     }

@@ -175,6 +175,7 @@ fn places(joints: &mut [Joint]) -> impl Iterator<Item = &mut Place> {
             Joint::Generic(j) => (&mut j.a, Some(&mut j.b)),
             Joint::MatrixBushing(j) => (&mut j.a, Some(&mut j.b)),
             Joint::Spring(j) => (&mut j.a, Some(&mut j.b)),
+            Joint::Sensor(j) => (&mut j.a, Some(&mut j.b)),
             Joint::Support(j) => (&mut j.a, Some(&mut j.b)),
             Joint::Seam(j) => (&mut j.a, Some(&mut j.b)),
             Joint::Custom(_) => return Vec::new(),

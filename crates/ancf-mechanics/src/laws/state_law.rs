@@ -2,16 +2,18 @@ use super::force_law::{LawState, LawValue};
 use super::law_expression::LawVariables;
 use crate::functions::{ExpressionError, InputSignal, Jet, Operand as _, SyntaxNode, parse};
 
-/// Force law f(t, x, v, z) with states z of first order, dz/dt = g(t, x, v, z), by formulas: actuators, filters, controllers,
-/// hysteresis.
+/// Force law f(t, x, v, z, s) with states z of first order, dz/dt = g(t, x, v, z, s), and signals s from elsewhere, by formulas:
+/// actuators, filters, controllers, hysteresis.
 ///
-/// Formulas contain the variables of force laws, the names of inputs and those of all states.
+/// Formulas contain the variables of force laws, the names of inputs and those of all states and signals.
 #[derive(Clone, Debug)]
 pub struct StateLaw {
     force: SyntaxNode,
     rates: Vec<SyntaxNode>,
-    /// Values at the start.
+    /// Values of the states at the start.
     start: Vec<f64>,
+    /// Number of signals.
+    signals: usize,
     /// Value of t after one unit of time of the inputs.
     unit_of_time: f64,
     inputs: Vec<InputSignal>,
@@ -41,23 +43,26 @@ const INPUTS: usize = 5;
 enum Along {
     Position,
     Rate,
+    /// State or signal: signals follow the states.
     State(usize),
 }
 
 impl StateLaw {
-    /// Parses the formulas of the force and of the rates of the states.
+    /// Parses the formulas of the force and of the rates of the states, with the names of signals.
     ///
     /// # Errors
     /// If a formula is invalid.
     pub fn parse(
         force: &str,
         states: &[LawStateVariable<'_>],
+        signals: &[&str],
         variables: &LawVariables,
         inputs: &[(String, InputSignal)],
     ) -> Result<Self, StateLawError> {
         let mut names = variables.names().to_vec();
         names.extend(inputs.iter().map(|(name, _)| name.as_str()));
         names.extend(states.iter().map(|state| state.name));
+        names.extend(signals);
         let force = parse(force, &names).map_err(|error| (None, error))?;
         let rate = |(k, state): (usize, &LawStateVariable<'_>)| {
             parse(state.rate, &names).map_err(|error| (Some(k), error))
@@ -68,6 +73,7 @@ impl StateLaw {
             force,
             rates,
             start: states.iter().map(|state| state.start).collect(),
+            signals: signals.len(),
             unit_of_time: 1.0,
             inputs,
         })
@@ -82,6 +88,11 @@ impl StateLaw {
     /// Number of states.
     pub fn states(&self) -> usize {
         self.rates.len()
+    }
+
+    /// Number of signals.
+    pub fn signals(&self) -> usize {
+        self.signals
     }
 
     /// Values of the states at the start.
@@ -120,16 +131,29 @@ impl StateLaw {
         })
     }
 
-    /// Force with its derivatives by x and v.
+    /// Force with its derivatives by x and v. `z` are the values of the states and of the signals.
     pub fn force(&self, at: LawState, z: &[f64]) -> LawValue {
-        let along_x = self.along(&self.force, at, z, Along::Position);
-        let by_rate = self.along(&self.force, at, z, Along::Rate).v1;
-        LawValue { force: along_x.re, by_position: along_x.v1, by_rate }
+        Self::derived(|along| self.along(&self.force, at, z, along))
     }
 
-    /// Rate of the state k, and its derivative by this state.
-    pub fn rate(&self, k: usize, at: LawState, z: &[f64]) -> [f64; 2] {
-        let rate = self.along(&self.rates[k], at, z, Along::State(k));
+    /// Rate of the state k with its derivatives by x and v.
+    pub fn rate(&self, k: usize, at: LawState, z: &[f64]) -> LawValue {
+        Self::derived(|along| self.along(&self.rates[k], at, z, along))
+    }
+
+    fn derived(value: impl Fn(Along) -> Jet) -> LawValue {
+        let along_x = value(Along::Position);
+        LawValue { force: along_x.re, by_position: along_x.v1, by_rate: value(Along::Rate).v1 }
+    }
+
+    /// Derivative of the force by a state or a signal.
+    pub fn force_by(&self, variable: usize, at: LawState, z: &[f64]) -> f64 {
+        self.along(&self.force, at, z, Along::State(variable)).v1
+    }
+
+    /// Rate of the state k, and its derivative by a state or a signal.
+    pub fn rate_by(&self, k: usize, variable: usize, at: LawState, z: &[f64]) -> [f64; 2] {
+        let rate = self.along(&self.rates[k], at, z, Along::State(variable));
         [rate.re, rate.v1]
     }
 }

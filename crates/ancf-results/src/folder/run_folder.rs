@@ -226,7 +226,8 @@ fn signature_of(mut lock: &File) -> io::Result<String> {
     Ok(String::from_utf8_lossy(&signature).into_owned())
 }
 
-fn lost(path: &Path) -> io::Error {
+/// Error of a file of the user that would be overwritten.
+pub(crate) fn lost(path: &Path) -> io::Error {
     let text = format!(
         "{} is not a file of a run, or was changed, and would be lost: choose another folder",
         path.display()

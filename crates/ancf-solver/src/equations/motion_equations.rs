@@ -130,6 +130,18 @@ pub trait EquationsOfMotion {
         Vec::new()
     }
 
+    /// Returns the entries (i, j, value) of ∂f/∂q that the tangent and its skew part lack ([`Term::omitted_stiffness`]).
+    ///
+    /// [`Term::omitted_stiffness`]: super::terms::Term::omitted_stiffness
+    fn omitted_stiffness(&self, _s: &State) -> Vec<(usize, usize, f64)> {
+        Vec::new()
+    }
+
+    /// Returns the entries (i, j, value) of ∂f/∂v that the tangent and its skew part lack.
+    fn omitted_damping(&self, _s: &State) -> Vec<(usize, usize, f64)> {
+        Vec::new()
+    }
+
     /// Returns a coordinate of a body that passes through its contact partner between two states, if there is one.
     fn crossing(&self, _from: &State, _to: &State) -> Option<usize> {
         None

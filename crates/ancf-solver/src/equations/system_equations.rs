@@ -11,7 +11,9 @@ use super::dependence::redundant_rows;
 use super::motion_equations::EquationsOfMotion;
 use super::stiffness_products::{StiffnessProducts, stiffness_products};
 use super::system::System;
-use super::term_sums::{LocalEnds, LocalState, Rotation, largest_rotation, powers, skew_entries};
+use super::term_sums::{
+    LocalEnds, LocalState, Rotation, largest_rotation, powers, skew_entries, visited_entries,
+};
 use super::terms::{Energy, Inadmissibility, Level, Power, State, StepStates, Term, Weights};
 use crate::sparse::{Pattern, SparseMatrix};
 
@@ -129,6 +131,14 @@ impl EquationsOfMotion for System {
 
     fn skew_damping(&self, s: &State) -> Vec<(usize, usize, f64)> {
         skew_entries(&self.terms, s, <dyn Term>::skew_damping)
+    }
+
+    fn omitted_stiffness(&self, s: &State) -> Vec<(usize, usize, f64)> {
+        visited_entries(&self.terms, s, <dyn Term>::omitted_stiffness)
+    }
+
+    fn omitted_damping(&self, s: &State) -> Vec<(usize, usize, f64)> {
+        visited_entries(&self.terms, s, <dyn Term>::omitted_damping)
     }
 
     fn crossing(&self, from: &State, to: &State) -> Option<usize> {

@@ -30,19 +30,33 @@ pub(super) fn largest_rotation(terms: &[Arc<dyn Term>], from: &State, to: &State
     largest
 }
 
-/// Visits the skew entries of one term in a state.
-type SkewPart = fn(&dyn Term, &Local<'_>, &mut dyn FnMut(usize, usize, f64));
+/// Visits entries of the derivatives of one term in a state, such as the skew ones.
+type DerivativePart = fn(&dyn Term, &Local<'_>, &mut dyn FnMut(usize, usize, f64));
 
-/// Returns the sum of a skew matrix of all terms: lower entries in ascending order without repetition.
-pub(super) fn skew_entries(terms: &[Arc<dyn Term>], s: &State, of: SkewPart) -> Vec<(usize, usize, f64)> {
+/// Returns the entries that terms visit, with the numbers of their coordinates and with repetitions.
+pub(super) fn visited_entries(
+    terms: &[Arc<dyn Term>],
+    s: &State,
+    of: DerivativePart,
+) -> Vec<(usize, usize, f64)> {
     let (mut gathered, mut entries) = (LocalState::EMPTY, Vec::new());
     for term in terms {
         let (term, coordinates) = (term.as_ref(), term.coordinates());
         of(term, &gathered.gather(s, term), &mut |i, j, value| {
-            let (a, b) = (coordinates[i], coordinates[j]);
-            entries.push(if a > b { (a, b, value) } else { (b, a, -value) });
+            entries.push((coordinates[i], coordinates[j], value));
         });
     }
+    entries
+}
+
+/// Returns the sum of a skew matrix of all terms: lower entries in ascending order without repetition.
+pub(super) fn skew_entries(
+    terms: &[Arc<dyn Term>],
+    s: &State,
+    of: DerivativePart,
+) -> Vec<(usize, usize, f64)> {
+    let lower = |(a, b, value): (usize, usize, f64)| if a > b { (a, b, value) } else { (b, a, -value) };
+    let mut entries: Vec<_> = visited_entries(terms, s, of).into_iter().map(lower).collect();
     entries.sort_by_key(|&(i, j, _)| (i, j));
     entries.dedup_by(|next, kept| {
         let same = (next.0, next.1) == (kept.0, kept.1);
@@ -98,6 +112,11 @@ impl LocalState {
         }
         let (n, m) = (coordinates.len(), multipliers.len());
         self.lambda[..m].copy_from_slice(&s.lambda[multipliers]);
+        let observed = term.observed_multipliers();
+        for (k, &other) in observed.iter().enumerate() {
+            self.lambda[m + k] = s.lambda[other];
+        }
+        let m = m + observed.len();
         Local {
             q: &self.q[..n],
             v: &self.v[..n],

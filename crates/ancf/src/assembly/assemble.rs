@@ -16,10 +16,14 @@ impl IndexedModel<'_> {
     /// Assembles a valid model whose functions are supplied.
     ///
     /// # Errors
-    /// If gaps cannot be closed.
+    /// If gaps cannot be closed, or a force law has an unknown signal.
     pub(crate) fn assembled(&self, time_mode: TimeMode) -> Result<Assembly, ModelErrors> {
         let bodies = self.prestrained(self.meshes(), time_mode);
         let joints = self.joint_equations(&bodies, time_mode);
+        let unknown = self.signal_errors(&bodies, &joints);
+        if !unknown.is_empty() {
+            return Err(ModelErrors(unknown));
+        }
         let mut terms: Vec<Box<dyn Term>> = bodies.iter().flat_map(|(_, body)| body.terms()).collect();
         let first_joint = terms.len();
         let mut nodal = Vec::new();
@@ -91,7 +95,7 @@ impl IndexedModel<'_> {
     }
 
     /// Number of the body, arc length and place of a probe.
-    fn probed(&self, bodies: &[(String, BodyTerms)], probe: &Probe) -> (usize, f64, Attachment) {
+    pub(super) fn probed(&self, bodies: &[(String, BodyTerms)], probe: &Probe) -> (usize, f64, Attachment) {
         let index = self.body_of(&probe.on);
         let (s, [y, z]) = (self.bodies[index].arc_length(&probe.on.at), probe.offset);
         let place = self.attachment(bodies, &probe.on);

@@ -1,19 +1,46 @@
 //! Joints and couplings of a model as equations.
 
 use std::cell::RefCell;
+use std::collections::BTreeSet;
+use std::sync::Arc;
 
 use ancf_mechanics::bodies::BodyTerms;
-use ancf_mechanics::constraints::{BilinearMeasure as Measured, MeasureConstraint};
-use ancf_mechanics::kinematics::{Attachment, ElementAxis};
-use ancf_solver::equations::Term;
+use ancf_mechanics::constraints::{BilinearMeasure as Measured, MeasureConstraint, MeasureFactor};
+use ancf_mechanics::forces::{Signal, SignalSource, StateForce};
+use ancf_mechanics::kinematics::{Attachment, BodyVector, ElementAxis};
+use ancf_solver::equations::{LOCAL, Term};
 use nalgebra::Vector3;
 
+use crate::errors::{ModelError, quoted};
 use crate::joints::{
     Coupled, Coupling, End, Gap, Ground, Joint, JointBuilder, JointCoordinate, JointEnds, JointEquations,
-    JointKind, LinearRows, Numbering,
+    JointKind, JointStateLaw, LinearRows, Numbering, Part, RecordedCoordinate, Source,
 };
-use crate::model::{Body, IndexedModel, Model, Place, TimeMode};
-use crate::units::{Dimension, ScaleChoice};
+use crate::model::{Body, IndexedModel, Model, Place, Probe, Quantity, TimeMode};
+use crate::units::{Dimension, ScaleChoice, Scales};
+
+/// Signal of a coordinate of a joint or of its rate.
+fn signal_of_joint(recorded: &RecordedCoordinate, column: &str, scales: Scales) -> Option<Signal> {
+    let is_rate = recorded.columns()[1] == column;
+    let [unit, unit_of_rate] = recorded.dimensions().map(|dimension| scales.unit(dimension));
+    let (source, offset) = match (&recorded.source, recorded.coordinate) {
+        (Source::State { .. }, _) if is_rate => return None,
+        (Source::State { start, time, .. }, Some(own)) => {
+            return Some(Signal::rate(SignalSource::Coordinate(own), time.recip(), *start));
+        }
+        (Source::Position(start), Some(own)) => (SignalSource::Coordinate(own), *start),
+        (Source::Angle { .. } | Source::Projection(_) | Source::Displacement(_), Some(own)) => {
+            (SignalSource::Coordinate(own), 0.0)
+        }
+        (Source::Displacement(measure), None) => (SignalSource::Measure(measure.clone()), 0.0),
+        (Source::Length(apart), _) => (SignalSource::Norm(apart.clone()), 0.0),
+        _ => return None,
+    };
+    Some(match is_rate {
+        false => Signal::value(source, unit, offset * unit),
+        true => Signal::rate(source, unit_of_rate, 0.0),
+    })
+}
 
 impl IndexedModel<'_> {
     /// Numbers of coordinates and multipliers of bodies and joints.
@@ -39,7 +66,100 @@ impl IndexedModel<'_> {
             (coordinate, multiplier) = (equations.coordinates.end, equations.multipliers.end);
             equations.with_gap(self.gap(joint))
         });
-        equations.collect()
+        let mut equations: Vec<_> = equations.collect();
+        let terms: Vec<_> = equations.iter().map(|own| self.state_forces(bodies, &equations, own)).collect();
+        for (own, terms) in equations.iter_mut().zip(terms) {
+            own.parts.extend(terms.into_iter().map(|term| Part { term: Box::new(term), reacts: true }));
+        }
+        equations
+    }
+
+    /// Force laws of a joint with states and signals. Those with unknown signals are errors of the model
+    /// ([`signal_errors`](Self::signal_errors)).
+    fn state_forces(
+        &self,
+        bodies: &[(String, BodyTerms)],
+        joints: &[JointEquations],
+        own: &JointEquations,
+    ) -> Vec<StateForce> {
+        let term = |law: &JointStateLaw| {
+            let signals = law.signals.iter().map(|signal| self.signal(bodies, joints, law, &signal.value));
+            let signals = signals.collect::<Option<Vec<_>>>()?;
+            let (coordinates, energies) = (law.coordinates.clone(), law.energies.clone());
+            let term = StateForce::new(coordinates, Arc::clone(&law.law), law.units, energies, &signals);
+            term.fits().then_some(term)
+        };
+        own.laws.iter().filter_map(term).collect()
+    }
+
+    /// Errors of force laws whose signals are unknown or depend on too many coordinates.
+    pub(crate) fn signal_errors(
+        &self,
+        bodies: &[(String, BodyTerms)],
+        joints: &[JointEquations],
+    ) -> Vec<ModelError> {
+        let mut errors = Vec::new();
+        for (number, own) in joints.iter().enumerate() {
+            for law in &own.laws {
+                let path = |k: usize| format!("joints[{number}].{}.signals[{k}].value", law.key);
+                let mut coordinates: BTreeSet<usize> = law.coordinates.iter().copied().collect();
+                for (k, signal) in law.signals.iter().enumerate() {
+                    let expected = "a position or velocity of a probe, a coordinate of a joint or its rate, or a \
+                                    state, such as `tip.z`";
+                    let Some(found) = self.signal(bodies, joints, law, &signal.value) else {
+                        errors.push(ModelError::new(path(k), quoted(&signal.value), expected));
+                        continue;
+                    };
+                    coordinates.extend(found.coordinates());
+                    if coordinates.len() > LOCAL {
+                        let found = format!("signals that depend on more than {LOCAL} coordinates");
+                        let expected =
+                            "fewer signals: a place on a beam has 12 to 27 coordinates, a rigid body 12";
+                        errors.push(ModelError::new(path(k), found, expected));
+                        break;
+                    }
+                }
+            }
+        }
+        errors
+    }
+
+    /// Signal of a column for a force law.
+    fn signal(
+        &self,
+        bodies: &[(String, BodyTerms)],
+        joints: &[JointEquations],
+        law: &JointStateLaw,
+        value: &str,
+    ) -> Option<Signal> {
+        let (owner, column) = value.rsplit_once('.')?;
+        let of_joint = joints.iter().find(|joint| joint.name == owner);
+        if let Some(recorded) = of_joint
+            .and_then(|joint| joint.recorded.iter().find(|recorded| recorded.columns().contains(&column)))
+        {
+            return signal_of_joint(recorded, column, law.scales);
+        }
+        let moves = |probe: &&Probe| probe.name == owner && probe.record.contains(&Quantity::Motion);
+        let probe = self.probes.iter().find(moves)?;
+        let (axis, is_rate) = match column {
+            "x" | "y" | "z" => (column, false),
+            "vx" | "vy" | "vz" => (&column[1..], true),
+            _ => return None,
+        };
+        let axis = match axis {
+            "x" => Vector3::x(),
+            "y" => Vector3::y(),
+            _ => Vector3::z(),
+        };
+        let (point, axis) = (self.probed(bodies, probe).2.point, BodyVector::fixed(axis));
+        let product = (1.0, MeasureFactor::Other(&axis), MeasureFactor::Point(&point));
+        let measure = Measured::new([product]);
+        let offset = measure.reference() * law.scales.unit(Dimension::LENGTH);
+        let source = SignalSource::Measure(measure);
+        Some(match is_rate {
+            false => Signal::value(source, law.scales.unit(Dimension::LENGTH), offset),
+            true => Signal::rate(source, law.scales.unit(Dimension::VELOCITY), 0.0),
+        })
     }
 
     /// Typical energy of the model for the states of force laws; 1 without such states.

@@ -1,6 +1,7 @@
 //! Rejects friction in equilibria, whose friction forces depend on the motion that led to them.
 
 use crate::errors::{Finding, finding, number};
+use crate::joints::{Joint, JointFriction};
 use crate::model::{About, Analysis, IndexedModel, joints_of};
 
 /// Checks that contacts and joints have friction in analyses with a motion only.
@@ -26,7 +27,47 @@ pub(crate) fn friction(model: &IndexedModel<'_>) -> Vec<Finding> {
     let of_joints = joints_of(model).flat_map(|(path, joint)| {
         let actions = [joint.kind().angle_actions(), joint.kind().displacement_actions()];
         let amounts = actions.into_iter().filter_map(|actions| actions.friction);
-        amounts.filter_map(|[amount, _]| rule(format!("{path}.friction"), amount)).collect::<Vec<_>>()
+        let amount = |friction: JointFriction| friction.amount.max(friction.coefficient);
+        let rules = amounts.filter_map(|friction| rule(format!("{path}.friction"), amount(friction)));
+        rules.collect::<Vec<_>>()
     });
     of_contacts.chain(of_joints).collect()
+}
+
+/// Checks that friction of joints states the lengths and rates on which it depends, and where it is permitted.
+pub(crate) fn friction_of_joints(model: &IndexedModel<'_>) -> Vec<Finding> {
+    let mut findings = Vec::new();
+    for (path, joint) in joints_of(model) {
+        let actions = [joint.kind().angle_actions(), joint.kind().displacement_actions()];
+        for (actions, is_angle) in actions.iter().zip([true, false]) {
+            let Some(friction) = actions.friction else { continue };
+            let key = |key: &str| format!("{path}.friction.{key}");
+            let missing = |key: String, found: &str, expected: &str| Finding {
+                absence: true,
+                ..finding(key, found, expected)
+            };
+            let by_reaction = friction.coefficient > 0.0;
+            if is_angle && by_reaction && friction.radius.is_none() {
+                let expected = "the radius of the pin, on which the reaction acts";
+                findings.push(missing(key("radius"), "no radius beside a coefficient", expected));
+            }
+            if friction.curve.peak > 1.0 && !friction.has_decay {
+                let expected = "the rate over which friction falls from its peak";
+                findings.push(missing(key("decay"), "no decay beside a peak", expected));
+            }
+            let acts = actions.drive.is_some() || actions.spring.is_some() || actions.law.is_some();
+            let is_slide = matches!(joint, Joint::Slide(_));
+            if by_reaction && is_slide && (acts || actions.stops.is_some() || friction.amount > 0.0) {
+                let expected =
+                    "0, or a slide without other forces along the beam, which its reaction contains";
+                findings.push(finding(key("coefficient"), number(friction.coefficient), expected));
+            }
+            if by_reaction && model.output.errors {
+                let expected = "false with friction by reactions, whose errors are not estimated";
+                let error = finding("output.errors".into(), "true", expected);
+                findings.push(error.rests_on([format!("{path}.friction")]));
+            }
+        }
+    }
+    findings
 }

@@ -33,7 +33,7 @@ pub(crate) fn spans(model: &IndexedModel<'_>) -> Vec<Finding> {
         let expected = "a place on another body or a point of the ground, `{ point = [x, y, z] }`";
         match (joint.kind().spans(), b) {
             (true, End::Ground) => Some(finding(key, "\"ground\"", expected)),
-            (true, b) => {
+            (true, b) if !joint.kind().may_coincide() => {
                 let (_, body) = body(model, a)?;
                 let there = match b {
                     End::Place(place) => model.point(place)?,

@@ -48,6 +48,7 @@ pub(crate) fn broken_rules(model: &Model) -> Vec<Finding> {
         super::display::shapes,
         super::shells::shells,
         super::friction::friction,
+        super::friction::friction_of_joints,
         super::loads::kinds,
         super::loads::fluids,
         super::loads::bases,

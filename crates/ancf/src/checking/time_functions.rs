@@ -10,7 +10,7 @@ use super::findings::{COINCIDENT, body, rule_of_names};
 use crate::errors::{Finding, finding, number, quoted};
 use crate::joints::{End, Joint};
 use crate::model::{
-    IndexedModel, Input, JointLaw, LawKind, LawStateEquation, LawUse, Model, TimeFunction, Varying, joints_of,
+    IndexedModel, Input, JointLaw, LawKind, LawUse, Model, Origin, TimeFunction, Varying, joints_of,
 };
 use crate::schema::unknown;
 
@@ -118,46 +118,65 @@ fn rule_of_law(
     if of_states.is_some() {
         return of_states;
     }
+    if !one.law.signals().is_empty() {
+        return None;
+    }
     let value = law.at(LawState { t: 0.0, x: 0.0, v: 0.0 }).force;
     let found = format!("a formula that is {value} at x = 0, v = 0, t = 0");
     (!value.is_finite()).then(|| finding(key, found, "one that is a number"))
 }
 
-/// Finding for the states of a force law: names, formulas of rates, and laws of struts, which have no coordinate.
+/// Finding for the states and signals of a force law: names, formulas of rates, analyses without them, and laws of struts, which have
+/// no coordinate.
 fn rule_of_states(
     model: &IndexedModel<'_>,
     path: &str,
     one: &LawUse<'_>,
     signals: &[(String, InputSignal)],
 ) -> Option<Finding> {
-    let states = one.law.states();
-    if states.is_empty() {
-        return None;
-    }
+    let (states, own_signals) = (one.law.states(), one.law.signals());
+    let key = match (states.is_empty(), own_signals.is_empty()) {
+        (true, true) => return None,
+        (false, _) => "states",
+        (true, false) => "signals",
+    };
     if one.kind == LawKind::Tension {
         let expected = "none for a spring between two points; a guide or a hinge has a coordinate";
-        return Some(finding(format!("{path}.states"), "states", expected));
+        return Some(finding(format!("{path}.{key}"), key, expected));
     }
     if model.output.errors {
-        let expected = "false with states of force laws, whose errors are not estimated";
+        let expected = format!("false with {key} of force laws, whose errors are not estimated");
         return Some(finding("output.errors".into(), "true", expected).rests_on([path.to_owned()]));
     }
-    let named = |(k, state): (usize, &LawStateEquation)| {
-        let name = state.name.as_str();
+    let is_motion = model.analysis.dynamics().is_some() && model.initial.from != Origin::Equilibrium;
+    if !own_signals.is_empty() && !is_motion {
+        let found = "a law with signals in an equilibrium, modes or critical loads";
+        let expected = "a motion that does not start by its own equilibrium; in a list of analyses, `only_in` limits the joint to \
+                        motions";
+        let rests_on = ["analysis", "initial"].map(str::to_owned);
+        return Some(finding(format!("{path}.signals"), found, expected).rests_on(rests_on));
+    }
+    let of_states = states.iter().enumerate().map(|(k, state)| ("states", k, state.name.as_str()));
+    let of_signals = own_signals.iter().enumerate().map(|(k, signal)| ("signals", k, signal.name.as_str()));
+    let names: Vec<_> = of_states.chain(of_signals).collect();
+    let named = |(i, &(list, k, name)): (usize, &(&str, usize, &str))| {
         let is_taken = is_law_name(name, &one.kind.variables())
             || signals.iter().any(|(input, _)| input == name)
-            || states[..k].iter().any(|other| other.name == name);
-        let expected = "another name: it is a variable, a function, an input or another state";
-        is_taken.then(|| finding(format!("{path}.states[{k}].name"), quoted(name), expected))
+            || names[..i].iter().any(|(.., other)| *other == name);
+        let expected = "another name: it is a variable, a function, an input, or another state or signal";
+        is_taken.then(|| finding(format!("{path}.{list}[{k}].name"), quoted(name), expected))
     };
-    states.iter().enumerate().find_map(named).or_else(|| match one.law.state_law(one.kind, signals) {
+    names.iter().enumerate().find_map(named).or_else(|| match one.law.state_law(one.kind, signals) {
         Err((number, error)) => {
             let k = number?;
             Some(syntax(format!("{path}.states[{k}].rate"), &states[k].rate, error))
         }
         Ok(law) => {
             let ((law, _), at) = (law?, LawState { t: 0.0, x: 0.0, v: 0.0 });
-            let rate = |k: usize| law.rate(k, at, law.start())[0];
+            if !own_signals.is_empty() {
+                return None;
+            }
+            let rate = |k: usize| law.rate(k, at, law.start()).force;
             let k = (0..states.len()).find(|k| !rate(*k).is_finite())?;
             let found = format!("a formula that is {} at the start", rate(k));
             Some(finding(format!("{path}.states[{k}].rate"), found, "one that is a number"))

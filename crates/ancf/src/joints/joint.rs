@@ -13,8 +13,8 @@ use super::slide::Slide;
 use super::spherical::Spherical;
 use super::universal::Universal;
 use crate::joints::elastic::{Bushing, PointSpring};
-use crate::joints::general::{Generic, MatrixBushing};
-use crate::joints::parts::{ClampedGradients, CustomJoint, End, JointKind};
+use crate::joints::general::{CustomJoint, Generic, MatrixBushing, Sensor};
+use crate::joints::parts::{ClampedGradients, End, JointKind};
 use crate::joints::surface::{Seam, Support};
 use crate::model::{Place, TimeFunction};
 use crate::units::Scaled;
@@ -80,6 +80,7 @@ joint_kinds! {
     MatrixBushing(MatrixBushing),
     Support(Support),
     Seam(Seam),
+    Sensor(Sensor),
 }
 
 impl Joint {

@@ -25,15 +25,15 @@ pub use cylindrical::Cylindrical;
 pub use distance::Distance;
 pub use drive::DrivenClamp;
 pub use elastic::{Bushing, PointSpring};
-pub use general::{DirectionMotion, Generic, MatrixBushing};
+pub use general::{CustomJoint, DirectionMotion, Generic, MatrixBushing, Measure, Sensor};
 pub use joint::Joint;
 pub use parts::{
-    AngularDrive, AngularFriction, AngularSpring, AngularStops, ClampedGradients, Coupled, Coupling,
-    CustomJoint, End, GapClosure, Ground, JointActions, JointBuilder, JointContext, JointCoordinate,
-    JointKind, JointObject, JointSymbol, JointTerm, LinearDrive, LinearFriction, LinearSpring, LinearStops,
+    AngularDrive, AngularFriction, AngularSpring, AngularStops, ClampedGradients, Coupled, Coupling, End,
+    GapClosure, Ground, JointActions, JointBuilder, JointContext, JointCoordinate, JointFriction, JointKind,
+    JointObject, JointSymbol, JointTerm, LinearDrive, LinearFriction, LinearSpring, LinearStops,
     PrescribedMotion, RecordedCoordinate,
 };
-pub(crate) use parts::{Gap, JointEnds, JointEquations, LinearRows, Numbering};
+pub(crate) use parts::{Gap, JointEnds, JointEquations, JointStateLaw, LinearRows, Numbering, Part, Source};
 pub use planar::Planar;
 pub use point_on_line::PointOnLine;
 pub use prismatic::Prismatic;

@@ -18,17 +18,13 @@ pub struct ExternalLoad {
     #[schemars(length(min = 1))]
     pub name: String,
     /// Units of length, time and force of the model, measured in units of the function; equal by default.
-    #[serde(default = "own")]
+    #[serde(default = "Scales::unit_scales")]
     pub units: Scales,
     /// The supplied function ([`Model::supply_force`](crate::model::Model::supply_force)).
     #[serde(skip)]
     #[unit(none)]
     #[schemars(skip)]
     pub supplied: Option<ForceFunction>,
-}
-
-fn own() -> Scales {
-    Scales::UNIT
 }
 
 impl ExternalLoad {

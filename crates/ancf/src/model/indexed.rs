@@ -10,6 +10,7 @@ use crate::joints::{Coupled, JointContext, JointCoordinate};
 use crate::loads::LoadContext;
 use crate::model::Model;
 use crate::model::bodies::{Body, Place};
+use crate::model::functions::LawSignal;
 use crate::model::sections::{Material, Section};
 
 /// Model with an index of its names: bodies and joints are found in constant time.
@@ -109,12 +110,22 @@ impl<'m> IndexedModel<'m> {
         free.contains(&coordinate).then_some((joint, coordinate))
     }
 
-    /// True if a coupling contains a free coordinate of a joint.
+    /// True if a coupling contains a free coordinate of a joint, or a force law reads it as an angle with counted turns.
     pub(crate) fn is_coupled(&self, joint: usize, coordinate: JointCoordinate) -> bool {
-        let parts = || self.model.couplings.iter().flat_map(|coupling| &coupling.joints);
-        let coupled =
-            self.coupled.get_or_init(|| parts().filter_map(|part| self.coupled_coordinate(part)).collect());
+        let coupled = self.coupled.get_or_init(|| {
+            let parts = self.model.couplings.iter().flat_map(|coupling| &coupling.joints);
+            let signals = self.model.laws().flat_map(|(_, one)| one.law.signals());
+            let angles = signals.filter_map(|signal| self.angle_of(signal));
+            parts.filter_map(|part| self.coupled_coordinate(part)).chain(angles).collect()
+        });
         coupled.contains(&(joint, coordinate))
+    }
+
+    /// Angle of a joint that is a signal, by its value or rate.
+    fn angle_of(&self, signal: &LawSignal) -> Option<(usize, JointCoordinate)> {
+        let (name, column) = signal.value.rsplit_once('.')?;
+        let joint = self.joint_number(name).filter(|_| matches!(column, "angle" | "rate"))?;
+        Some((joint, JointCoordinate::Angle))
     }
 }
 

@@ -25,7 +25,7 @@ pub use bodies::{
     PointMass, PointPlace, Rigid, Shape, ShearShell, Shell, ShellSurface, Slopes,
 };
 pub use contacts::{Contact, ContactSurface, Cylinder, ObstacleKind, Plane, Sphere};
-pub use functions::{Input, JointLaw, LawKind, LawStateEquation, LawUse, TimeFunction, Varying};
+pub use functions::{Input, JointLaw, LawKind, LawSignal, LawStateEquation, LawUse, TimeFunction, Varying};
 pub use sections::{
     Circle, CustomSection, Damping, Ellipse, GeneralSection, Material, MaterialLaw, Orthotropic,
     OutlineCurve, Rectangle, Section, SectionObject, SectionOutline, SectionShape, Tube,
@@ -35,8 +35,8 @@ pub use crate::errors::{ModelError, ModelErrors, Position};
 pub use crate::joints::{
     AngularDrive, AngularFriction, AngularSpring, AngularStops, Bushing, Clamp, ClampedGradients, Coupled,
     Coupling, Cylindrical, DirectionMotion, Distance, DrivenClamp, End, Generic, Ground, Joint,
-    JointCoordinate, LinearDrive, LinearFriction, LinearSpring, LinearStops, MatrixBushing, Planar,
-    PointOnLine, PointSpring, Prismatic, Revolute, Seam, SeamCondition, Slide, Spherical, Support,
+    JointCoordinate, LinearDrive, LinearFriction, LinearSpring, LinearStops, MatrixBushing, Measure, Planar,
+    PointOnLine, PointSpring, Prismatic, Revolute, Seam, SeamCondition, Sensor, Slide, Spherical, Support,
     SupportCondition, SupportedAxis, Universal,
 };
 pub use crate::loads::{

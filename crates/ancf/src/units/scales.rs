@@ -87,6 +87,16 @@ impl Scales {
     /// Units of the model.
     pub const UNIT: Self = Self { length: 1.0, time: 1.0, force: 1.0 };
 
+    /// Units of the model, the default of keys.
+    pub(crate) const fn unit_scales() -> Self {
+        Self::UNIT
+    }
+
+    /// True for the units of the model.
+    pub(crate) fn is_unit(&self) -> bool {
+        *self == Self::UNIT
+    }
+
     /// Units with the time T = L √(ρA/F) (Kim et al. 2017, eq. 7).
     ///
     /// `line_mass` is the mass per length ρA of the beam.

@@ -10,7 +10,7 @@ pub struct Local<'a> {
     pub v: &'a [f64],
     /// Accelerations.
     pub a: &'a [f64],
-    /// Multipliers.
+    /// Multipliers of the term, then those that it observes ([`Term::observed_multipliers`](super::term::Term::observed_multipliers)).
     pub lambda: &'a [f64],
     /// Time.
     pub t: f64,

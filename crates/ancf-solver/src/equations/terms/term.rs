@@ -47,6 +47,14 @@ pub trait Term: Any + Send + Sync {
         0..0
     }
 
+    /// Returns multipliers of other terms on which the forces depend, such as the reaction of a joint on which its friction depends.
+    ///
+    /// They follow the own multipliers in [`Local::lambda`]. Where only masses or constraints are evaluated they are missing there. The
+    /// tangent lacks the derivatives by them.
+    fn observed_multipliers(&self) -> &[usize] {
+        &[]
+    }
+
     /// Adds the residual of the term: rows of its coordinates, then of its multipliers.
     fn residual(&self, at: &Local<'_>, r: &mut [f64]);
 
@@ -132,6 +140,14 @@ pub trait Term: Any + Send + Sync {
     ///
     /// Gyroscopic forces have a skew part, such as the Coriolis forces of a rotating frame.
     fn skew_damping(&self, _at: &Local<'_>, _visit: &mut dyn FnMut(usize, usize, f64)) {}
+
+    /// Visits entries (i, j) of ∂f/∂q that the tangent and its skew part lack, such as those of controllers.
+    ///
+    /// Linear models of motions need them. Terms with such entries belong to motions only.
+    fn omitted_stiffness(&self, _at: &Local<'_>, _visit: &mut dyn FnMut(usize, usize, f64)) {}
+
+    /// Visits entries (i, j) of ∂f/∂v that the tangent and its skew part lack.
+    fn omitted_damping(&self, _at: &Local<'_>, _visit: &mut dyn FnMut(usize, usize, f64)) {}
 
     /// Returns the rotation between two states, relative to the largest rotation of one load increment.
     ///

@@ -6,6 +6,7 @@ use ancf_mechanics::laws::{ContactLaw, Stops};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::friction::{AngularFriction, JointFriction, LinearFriction};
 use crate::model::{JointLaw, LawKind, LawUse, TimeFunction, TimeMode};
 use crate::units::Scaled;
 
@@ -81,34 +82,6 @@ pub struct LinearSpring {
     #[serde(default)]
     #[unit(length)]
     pub displacement: f64,
-}
-
-/// Dry friction of a hinge with the moment −moment tanh(ω/rate).
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
-#[serde(deny_unknown_fields)]
-pub struct AngularFriction {
-    /// Friction moment, force length.
-    #[unit(force * length)]
-    #[schemars(extend("minimum" = 0))]
-    pub moment: f64,
-    /// Angular velocity below which friction is viscous, radians/time.
-    #[unit(radian / time)]
-    #[schemars(extend("exclusiveMinimum" = 0))]
-    pub rate: f64,
-}
-
-/// Dry friction of a slider with the force −force tanh(v/speed).
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
-#[serde(deny_unknown_fields)]
-pub struct LinearFriction {
-    /// Friction force, force.
-    #[unit(force)]
-    #[schemars(extend("minimum" = 0))]
-    pub force: f64,
-    /// Velocity below which friction is viscous, length/time.
-    #[unit(length / time)]
-    #[schemars(extend("exclusiveMinimum" = 0))]
-    pub speed: f64,
 }
 
 /// Stops of an angle: one-sided contact at a lower and an upper angle.
@@ -197,8 +170,8 @@ pub struct JointActions<'a> {
     pub drive: Option<PrescribedMotion<'a>>,
     /// Stiffness, damping and position without spring force.
     pub spring: Option<[f64; 3]>,
-    /// Magnitude, and velocity below which friction is viscous.
-    pub friction: Option<[f64; 2]>,
+    /// Dry friction.
+    pub friction: Option<JointFriction>,
     /// Force law.
     pub law: Option<LawUse<'a>>,
     /// Stops.
@@ -249,7 +222,7 @@ impl<'a> JointActions<'a> {
             table: "drive",
             drive: drive.as_ref().map(motion),
             spring: spring.map(|s| [s.stiffness, s.damping, s.angle]),
-            friction: friction.map(|f| [f.moment, f.rate]),
+            friction: friction.map(AngularFriction::law),
             law: None,
             stops: None,
         }
@@ -267,7 +240,7 @@ impl<'a> JointActions<'a> {
             table: "drive",
             drive: drive.as_ref().map(motion),
             spring: spring.map(|s| [s.stiffness, s.damping, s.displacement]),
-            friction: friction.map(|f| [f.force, f.speed]),
+            friction: friction.map(LinearFriction::law),
             law: None,
             stops: None,
         }

@@ -1,28 +1,24 @@
 use std::collections::BTreeMap;
 use std::fmt;
-use std::sync::Arc;
 
 use ancf_mechanics::bodies::normals_to;
 use ancf_mechanics::constraints::{
     BilinearMeasure, CoincidenceConstraint, ConstantAngle, ConstrainedVector, HingeAngle, LinearConstraint,
     MeasureConstraint, MeasureFactor, MeasureTarget, RotationDrive, SectionDrive, SlideConstraint,
 };
-use ancf_mechanics::forces::{CoordinateForce, Friction, Spring, StateForce, Strut};
 use ancf_mechanics::functions::Function;
 use ancf_mechanics::kinematics::{Attachment, BodyVector, Directions};
-use ancf_mechanics::laws::{LawUnits, Resistance};
 use ancf_mechanics::shells::{ShearShellMesh, ShellMesh};
 use nalgebra::Vector3;
 
 use super::actions::JointActions;
-use super::clamped_gradients::{ClampedGradients, reference};
 use super::coupling::JointCoordinate;
-use super::end::{End, Ground};
+use super::end::{ClampedGradients, End, Ground, reference};
 use super::equations::{JointEnds, JointEquations, Numbering, Part};
 use super::measures;
 use super::recorded_coordinate::{RecordedCoordinate, Source};
 use super::term::JointTerm;
-use crate::model::{JointLaw, LawKind, LawUse, ShearShell, TimeFunction, TimeMode};
+use crate::model::{ShearShell, TimeFunction, TimeMode};
 
 /// Builder of the equations of one joint.
 ///
@@ -31,10 +27,10 @@ use crate::model::{JointLaw, LawKind, LawUse, ShearShell, TimeFunction, TimeMode
 pub struct JointBuilder<'a> {
     ends: JointEnds<'a>,
     coupled: &'a dyn Fn(JointCoordinate) -> bool,
-    time_mode: TimeMode,
+    pub(super) time_mode: TimeMode,
     /// Typical energy of the model.
-    energy: f64,
-    equations: JointEquations,
+    pub(super) energy: f64,
+    pub(super) equations: JointEquations,
 }
 
 impl fmt::Debug for JointBuilder<'_> {
@@ -60,6 +56,7 @@ impl<'a> JointBuilder<'a> {
             parts: Vec::new(),
             recorded: Vec::new(),
             states: Vec::new(),
+            laws: Vec::new(),
         };
         Self { ends, coupled, time_mode, energy, equations }
     }
@@ -264,19 +261,34 @@ impl<'a> JointBuilder<'a> {
     ///
     /// The other equations of the joint must keep the axes of both ends parallel. A joint records one angle.
     pub fn angle(&mut self, axis: impl Into<Vector3<f64>>, actions: &JointActions<'_>) {
-        let vectors = measures::hinge(self.a(), self.b(), axis.into());
+        let axis = axis.into();
+        let vectors = measures::hinge(self.a(), self.b(), axis);
         let mut coordinate = None;
         if (self.coupled)(JointCoordinate::Angle) || actions.is_some() {
             let (own, multiplier) = (self.coordinate(), self.multipliers(1));
             let [p, u, v] = &vectors;
             self.add(HingeAngle::new(own, p, [u, v], multiplier));
             self.act(own, actions);
+            self.rub_on_pin(own, axis, actions);
             coordinate = Some(own);
         }
         let ends = Box::new([self.a().clone(), self.b().clone()]);
         self.equations
             .recorded
             .push(RecordedCoordinate { source: Source::Angle { vectors, ends }, coordinate });
+    }
+
+    /// Records the angle of the projection of a vector of the first end, about an axis of unit length of the second end.
+    pub(crate) fn projected_angle(&mut self, axis: Vector3<f64>) {
+        let vectors = measures::hinge(self.a(), self.b(), axis);
+        let mut coordinate = None;
+        if (self.coupled)(JointCoordinate::Angle) {
+            let (own, multiplier) = (self.coordinate(), self.multipliers(1));
+            let [p, u, v] = &vectors;
+            self.add(HingeAngle::new(own, p, [u, v], multiplier));
+            coordinate = Some(own);
+        }
+        self.equations.recorded.push(RecordedCoordinate { source: Source::Projection(vectors), coordinate });
     }
 
     /// Records the displacement along an axis of the second end, and adds the actions along it.
@@ -288,6 +300,7 @@ impl<'a> JointBuilder<'a> {
             let tie = MeasureConstraint::defining(own, measure.clone(), multiplier);
             self.add(tie.named("definition of the displacement"));
             self.act(own, actions);
+            self.rub_on_guide(own, actions);
             coordinate = Some(own);
         }
         self.equations
@@ -306,6 +319,7 @@ impl<'a> JointBuilder<'a> {
             self.equations.parts.push(Part { term: Box::new(slide), reacts: k == 0 });
         }
         self.act(own, actions);
+        self.rub_on_curve(own, actions);
         self.equations
             .recorded
             .push(RecordedCoordinate { source: Source::Position(start), coordinate: Some(own) });
@@ -318,71 +332,5 @@ impl<'a> JointBuilder<'a> {
         }
         let source = Source::Length(measures::apart(self.a(), self.b()));
         self.equations.recorded.push(RecordedCoordinate { source, coordinate: None });
-    }
-
-    /// Adds a spring and a damper along a measure.
-    pub fn spring(&mut self, measure: BilinearMeasure, stiffness: f64, damping: f64) {
-        self.add(Spring::new(measure, stiffness, damping));
-    }
-
-    /// Adds a spring and a damper between the two points, free of force at a length; in tension only if stated.
-    pub fn strut(&mut self, [stiffness, damping]: [f64; 2], length: Option<f64>, tension_only: bool) {
-        let apart = measures::apart(self.a(), self.b());
-        let length = length.unwrap_or_else(|| apart.reference().norm());
-        let strut = Strut::new(&self.a().point, &self.b().point, stiffness, damping, length);
-        self.add(if tension_only { strut.tension_only() } else { strut });
-        self.length();
-    }
-
-    /// Adds a force between the two points by a law of the elongation beyond a length.
-    pub fn tension(&mut self, law: &JointLaw, length: Option<f64>) {
-        let reference = measures::apart(self.a(), self.b()).reference().norm();
-        let lengths = [length.unwrap_or(reference), reference];
-        let law = law.resistance(LawKind::Tension, lengths, self.time_mode);
-        self.add(Strut::with_law(&self.a().point, &self.b().point, law));
-        self.length();
-    }
-
-    /// Adds drive, spring, friction, force law and stops of a joint coordinate.
-    pub fn act(&mut self, coordinate: usize, actions: &JointActions<'_>) {
-        let measure = || BilinearMeasure::coordinate(coordinate);
-        if let Some(drive) = &actions.drive {
-            self.prescribe("drive", measure(), drive.target(self.time_mode));
-        }
-        if let Some([stiffness, damping, rest]) = actions.spring {
-            let rest = MeasureTarget::new(rest, Function::ONE);
-            self.add(Spring::with_set_point(measure(), stiffness, damping, rest));
-        }
-        if let Some([force, creep]) = actions.friction {
-            self.add(Friction::new(measure(), force, creep));
-        }
-        if let Some(law) = actions.law {
-            self.act_by_law(coordinate, law);
-        }
-        if let Some(stops) = actions.stops {
-            let law = Resistance::acting(Arc::new(stops), LawUnits::OWN);
-            self.add(CoordinateForce::new(coordinate, law));
-        }
-    }
-
-    /// Adds a force law of a coordinate. Its states are coordinates of the joint in motions, and have their values at the start in
-    /// other analyses.
-    fn act_by_law(&mut self, coordinate: usize, law: LawUse<'_>) {
-        let with_states = law.law.state_law(law.kind, &[]).expect("a checked law has no syntax errors");
-        let Some((state_law, units)) = with_states.filter(|_| self.time_mode == TimeMode::AsGiven) else {
-            let law = law.law.resistance(law.kind, [0.0; 2], self.time_mode);
-            return self.add(CoordinateForce::new(coordinate, law));
-        };
-        let mut coordinates = vec![coordinate];
-        for state in law.law.states() {
-            let own = self.coordinate();
-            coordinates.push(own);
-            let columns = [state.name.clone(), format!("{}_rate", state.name)];
-            let source = Source::State { columns, start: state.start, time: units.time };
-            self.equations.recorded.push(RecordedCoordinate { source, coordinate: Some(own) });
-        }
-        self.equations.states.extend(&coordinates[1..]);
-        let energies = law.law.states().iter().map(|state| self.energy / state.size.powi(2)).collect();
-        self.add(StateForce::new(coordinates, Arc::new(state_law), units, energies));
     }
 }

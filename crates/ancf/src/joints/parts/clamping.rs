@@ -7,7 +7,7 @@ use ancf_mechanics::kinematics::{Attachment, BodyVector, Marker, SectionFrame};
 use nalgebra::Vector3;
 
 use super::builder::JointBuilder;
-use super::clamped_gradients::{ClampedGradients, reference};
+use super::end::{ClampedGradients, reference};
 
 /// Cosine of the angle beyond which lines that meet form a corner: 5°.
 const CORNER: f64 = 0.996;

@@ -2,9 +2,11 @@ use std::cell::RefCell;
 use std::collections::{BTreeSet, HashMap};
 use std::fmt;
 use std::ops::Range;
+use std::sync::Arc;
 
 use ancf_mechanics::constraints::{CoincidenceConstraint, ConstraintGroup, Wrench};
 use ancf_mechanics::kinematics::{Attachment, ElementAxis};
+use ancf_mechanics::laws::{LawUnits, StateLaw};
 use ancf_mechanics::shells::{ShearShellMesh, ShellMesh};
 use ancf_solver::equations::{State, Term};
 use nalgebra::Vector3;
@@ -12,7 +14,8 @@ use nalgebra::Vector3;
 use super::end::End;
 use super::recorded_coordinate::RecordedCoordinate;
 use super::term::JointTerm;
-use crate::model::{ShearShell, TimeMode};
+use crate::model::{LawSignal, ShearShell, TimeMode};
+use crate::units::Scales;
 
 /// Ends of a joint as attachments to bodies.
 pub(crate) struct JointEnds<'a> {
@@ -88,6 +91,24 @@ pub(crate) struct JointEquations {
     pub(crate) recorded: Vec<RecordedCoordinate>,
     /// Coordinates of states of force laws.
     pub(crate) states: Vec<usize>,
+    /// Force laws with states or signals, whose terms are added when all joints are built.
+    pub(crate) laws: Vec<JointStateLaw>,
+}
+
+/// Force law with states or signals along a coordinate of a joint.
+#[derive(Clone, Debug)]
+pub(crate) struct JointStateLaw {
+    /// Coordinate of the law, then those of its states.
+    pub(crate) coordinates: Vec<usize>,
+    pub(crate) law: Arc<StateLaw>,
+    pub(crate) units: LawUnits,
+    /// Typical energies of the states.
+    pub(crate) energies: Vec<f64>,
+    pub(crate) signals: Vec<LawSignal>,
+    /// Units of the model, measured in those of the formulas.
+    pub(crate) scales: Scales,
+    /// Key of the law in the joint.
+    pub(crate) key: &'static str,
 }
 
 impl fmt::Debug for JointEquations {

@@ -96,6 +96,11 @@ pub trait JointKind: JointObject + fmt::Debug + Send + Sync {
         false
     }
 
+    /// True if the two points that the joint spans may coincide.
+    fn may_coincide(&self) -> bool {
+        false
+    }
+
     /// Symbol in figures.
     fn symbol(&self) -> JointSymbol {
         JointSymbol::Marker

@@ -20,6 +20,8 @@ pub struct RecordedCoordinate {
 pub(crate) enum Source {
     /// Angle of the vector p of the first end in the plane of u and v of the second end, and the attachments of both ends.
     Angle { vectors: [BodyVector; 3], ends: Box<[Attachment; 2]> },
+    /// Angle of the projection of the vector p of the first end into the plane of u and v of the second end.
+    Projection([BodyVector; 3]),
     /// Displacement along an axis.
     Displacement(BilinearMeasure),
     /// Arc length along a beam, with its initial value.
@@ -35,7 +37,7 @@ impl RecordedCoordinate {
     /// Names of value and rate.
     pub fn columns(&self) -> [&str; 2] {
         match &self.source {
-            Source::Angle { .. } => ["angle", "rate"],
+            Source::Angle { .. } | Source::Projection(_) => ["angle", "rate"],
             Source::Displacement(_) => ["displacement", "speed"],
             Source::Position(_) => ["position", "speed"],
             Source::Length(_) => ["length", "speed"],
@@ -46,8 +48,9 @@ impl RecordedCoordinate {
     /// Dimensions of value and rate.
     pub const fn dimensions(&self) -> [Dimension; 2] {
         match self.source {
-            Source::Angle { .. } => [Dimension::NUMBER, Dimension::RATE],
-            Source::State { .. } => [Dimension::NUMBER, Dimension::RATE],
+            Source::Angle { .. } | Source::Projection(_) | Source::State { .. } => {
+                [Dimension::NUMBER, Dimension::RATE]
+            }
             _ => [Dimension::LENGTH, Dimension::VELOCITY],
         }
     }
@@ -55,14 +58,14 @@ impl RecordedCoordinate {
     /// Quantity of value and rate.
     pub const fn quantity(&self) -> UnitQuantity {
         match self.source {
-            Source::Angle { .. } => UnitQuantity::Angle,
+            Source::Angle { .. } | Source::Projection(_) => UnitQuantity::Angle,
             _ => UnitQuantity::Other,
         }
     }
 
     /// True if the value is an angle in the range from −π to π.
     pub const fn wraps(&self) -> bool {
-        matches!(self.source, Source::Angle { .. }) && self.coordinate.is_none()
+        matches!(self.source, Source::Angle { .. } | Source::Projection(_)) && self.coordinate.is_none()
     }
 
     /// Value and rate in a state.
@@ -73,12 +76,23 @@ impl RecordedCoordinate {
             Source::State { start, time, .. } => {
                 [start + own[1] / time, self.coordinate.map_or(0.0, |c| s.a[c] / time)]
             }
-            Source::Angle { .. } | Source::Displacement(_) if self.coordinate.is_some() => own,
+            Source::Angle { .. } | Source::Projection(_) | Source::Displacement(_)
+                if self.coordinate.is_some() =>
+            {
+                own
+            }
             Source::Angle { vectors, ends } => {
                 let [p, u, v] = vectors.each_ref().map(|vector| vector.value(s));
                 // The rates of p, u and v violate the constraints of rigid bodies by the error of a step.
                 let [of_a, of_b] = ends.each_ref().map(|end| end.spin(s).unwrap_or_default());
                 [p.dot(&v).atan2(p.dot(&u)), u.cross(&v).dot(&(of_a - of_b))]
+            }
+            Source::Projection(vectors) => {
+                let [p, u, v] = vectors.each_ref().map(|vector| vector.value(s));
+                let [dp, du, dv] = vectors.each_ref().map(|vector| vector.velocity(s));
+                let (cos, sin) = (p.dot(&u), p.dot(&v));
+                let (dcos, dsin) = (dp.dot(&u) + p.dot(&du), dp.dot(&v) + p.dot(&dv));
+                [sin.atan2(cos), (cos * dsin - sin * dcos) / (cos * cos + sin * sin)]
             }
             Source::Displacement(measure) => [measure.value(s) - measure.reference(), measure.rate(s)],
             Source::Length(apart) => {
@@ -92,7 +106,7 @@ impl RecordedCoordinate {
     /// Number of the coordinate in the equations, if it is the stated free coordinate of the joint.
     pub(crate) fn coupled(&self, free: JointCoordinate) -> Option<usize> {
         let fits = match self.source {
-            Source::Angle { .. } => free == JointCoordinate::Angle,
+            Source::Angle { .. } | Source::Projection(_) => free == JointCoordinate::Angle,
             Source::Displacement(_) | Source::Position(_) => free == JointCoordinate::Displacement,
             Source::Length(_) | Source::State { .. } => false,
         };

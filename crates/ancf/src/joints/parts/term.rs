@@ -3,7 +3,7 @@ use ancf_mechanics::constraints::{
     RotationDrive, SectionDrive, SlideConstraint, TwistAngle, Wrench,
 };
 use ancf_mechanics::forces::{
-    CoordinateForce, Friction, MatrixBushing, Spring, StateForce, Strut, SwingSpring,
+    CoordinateForce, Friction, MatrixBushing, ReactionFriction, Spring, StateForce, Strut, SwingSpring,
 };
 use ancf_solver::equations::{State, Term};
 
@@ -48,6 +48,7 @@ joint_terms! {
     HingeAngle,
     LinearConstraint,
     MatrixBushing,
+    ReactionFriction,
     RotationDrive,
     SectionDrive,
     SlideConstraint,

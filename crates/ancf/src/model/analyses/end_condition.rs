@@ -23,16 +23,8 @@ pub struct EndCondition {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub below: Option<f64>,
     /// Units of length, time and force of the model, measured in units of the limits; equal by default.
-    #[serde(default = "own", skip_serializing_if = "is_own")]
+    #[serde(default = "Scales::unit_scales", skip_serializing_if = "Scales::is_unit")]
     pub units: Scales,
-}
-
-fn own() -> Scales {
-    Scales::UNIT
-}
-
-fn is_own(units: &Scales) -> bool {
-    *units == Scales::UNIT
 }
 
 impl EndCondition {

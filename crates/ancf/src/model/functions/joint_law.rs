@@ -8,6 +8,7 @@ use ancf_mechanics::laws::{
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::law_signal::LawSignal;
 use super::law_state::LawStateEquation;
 use super::time_function::TimeMode;
 use crate::units::{Scaled, Scales};
@@ -26,8 +27,12 @@ pub enum JointLaw {
         #[serde(default, skip_serializing_if = "Vec::is_empty")]
         #[schemars(length(max = 8))]
         states: Vec<LawStateEquation>,
+        /// Values of other parts of the model that the formulas may contain; none by default. For coordinates of joints in motions.
+        #[serde(default, skip_serializing_if = "Vec::is_empty")]
+        #[schemars(length(max = 8))]
+        signals: Vec<LawSignal>,
         /// Units of length, time and force of the model, measured in units of the formula; equal by default.
-        #[serde(default = "own", skip_serializing_if = "is_own")]
+        #[serde(default = "Scales::unit_scales", skip_serializing_if = "Scales::is_unit")]
         units: Scales,
         /// Inputs of the model with their signals in an assembled model.
         #[serde(skip)]
@@ -44,7 +49,7 @@ pub enum JointLaw {
         #[serde(default)]
         autonomous: bool,
         /// Units of length, time and force of the model, measured in units of the law; equal by default.
-        #[serde(default = "own", skip_serializing_if = "is_own")]
+        #[serde(default = "Scales::unit_scales", skip_serializing_if = "Scales::is_unit")]
         units: Scales,
         /// Supplied law ([`Model::supply_law`](crate::model::Model::supply_law)).
         #[serde(skip)]
@@ -52,14 +57,6 @@ pub enum JointLaw {
         #[schemars(skip)]
         supplied: Option<UserForceLaw>,
     },
-}
-
-fn own() -> Scales {
-    Scales::UNIT
-}
-
-fn is_own(units: &Scales) -> bool {
-    *units == Scales::UNIT
 }
 
 /// Force or moment of a law, with its sign and its variables.
@@ -127,12 +124,29 @@ impl JointLaw {
 
     /// Law by a formula with states of first order.
     pub fn with_states(text: &str, states: Vec<LawStateEquation>) -> Self {
-        Self::Expression { text: text.into(), states, units: Scales::UNIT, inputs: Vec::new() }
+        Self::with_signals(text, states, Vec::new())
+    }
+
+    /// Law by a formula with states of first order and signals.
+    pub fn with_signals(text: &str, states: Vec<LawStateEquation>, signals: Vec<LawSignal>) -> Self {
+        Self::Expression { text: text.into(), states, signals, units: Scales::UNIT, inputs: Vec::new() }
     }
 
     /// States of first order.
     pub fn states(&self) -> &[LawStateEquation] {
         if let Self::Expression { states, .. } = self { states } else { &[] }
+    }
+
+    /// Signals.
+    pub fn signals(&self) -> &[LawSignal] {
+        if let Self::Expression { signals, .. } = self { signals } else { &[] }
+    }
+
+    /// Units of the model, measured in units of the law.
+    pub const fn units(&self) -> Scales {
+        match self {
+            Self::Expression { units, .. } | Self::External { units, .. } => *units,
+        }
     }
 
     /// External law, which the calling program supplies by name.
@@ -157,17 +171,19 @@ impl JointLaw {
         length: f64,
         declared: &[(String, InputSignal)],
     ) -> Result<Option<LawExpression>, ExpressionError> {
-        let Self::Expression { text, states, units, inputs } = self else { return Ok(None) };
+        let Self::Expression { text, states, signals, units, inputs } = self else { return Ok(None) };
         let mut inputs = if inputs.is_empty() { declared.to_vec() } else { inputs.clone() };
         // States have their values at the start.
         inputs.extend(states.iter().map(|state| (state.name.clone(), InputSignal::new(state.start))));
+        // Laws with signals exist in motions only, by `state_law`.
+        inputs.extend(signals.iter().map(|signal| (signal.name.clone(), InputSignal::new(0.0))));
         let law = LawExpression::parse(text, &kind.variables(), &inputs)?;
         let origin = if kind == LawKind::Tension { length * units.length } else { 0.0 };
         Ok(Some(law.with_origin(origin).with_unit_of_time(units.time)))
     }
 
-    /// Law with states of a kind of force along a coordinate of a joint, and its units; `None` for a law without states. Inputs of this
-    /// list are constant.
+    /// Law with states or signals of a kind of force along a coordinate of a joint, and its units; `None` for a law without them.
+    /// Inputs of this list are constant.
     ///
     /// # Errors
     /// If a formula has a syntax error.
@@ -176,8 +192,8 @@ impl JointLaw {
         kind: LawKind,
         declared: &[(String, InputSignal)],
     ) -> Result<Option<(StateLaw, LawUnits)>, StateLawError> {
-        let Self::Expression { text, states, units, inputs } = self else { return Ok(None) };
-        if states.is_empty() {
+        let Self::Expression { text, states, signals, units, inputs } = self else { return Ok(None) };
+        if states.is_empty() && signals.is_empty() {
             return Ok(None);
         }
         let inputs = if inputs.is_empty() { declared } else { inputs };
@@ -186,7 +202,9 @@ impl JointLaw {
             rate: &state.rate,
             start: state.start,
         });
-        let law = StateLaw::parse(text, &variables.collect::<Vec<_>>(), &kind.variables(), inputs)?;
+        let (variables, names) = (variables.collect::<Vec<_>>(), kind.variables());
+        let signals: Vec<&str> = signals.iter().map(|signal| signal.name.as_str()).collect();
+        let law = StateLaw::parse(text, &variables, &signals, &names, inputs)?;
         Ok(Some((law.with_unit_of_time(units.time), kind.units(units))))
     }
 

@@ -11,10 +11,11 @@ use crate::stepping::stepper::Stepper;
 /// part of ẋ is left out.
 ///
 /// The minimal coordinates x = (ξ, η) are ξ = Zᵀ M (q − q₀) and η = Zᵀ M (v − v₀), with a basis Z of the motions that the constraints
-/// permit, Φ_q Z = 0 and Zᵀ M Z = I. Then ξ̇ = η, and a mode of the frequency ω is a pair of eigenvalues ±i ω of A.
+/// permit, Φ_q Z = 0 and Zᵀ M Z = I. Then ξ̇ = η, and a mode of the frequency ω is a pair of eigenvalues ±i ω of A. A state of a
+/// force law is a further η, after those of the motions, without a ξ.
 #[derive(Clone, Debug)]
 pub struct LinearModel {
-    /// State matrix A, of the size 2d of d degrees of freedom.
+    /// State matrix A, of the size 2d + s of d degrees of freedom and s states of force laws.
     pub a: DMatrix<f64>,
     /// Input matrix B.
     pub b: DMatrix<f64>,
@@ -80,12 +81,14 @@ impl LinearModel {
             return Err(argument("state", state.coordinates.len(), &format!("{n} coordinates")));
         }
         let d = self.projection.nrows();
+        let positions = self.a.nrows() - d;
         let difference = |now: &[f64], then: &[f64]| {
             &self.projection * DVector::from_iterator(n, now.iter().zip(then).map(|(a, b)| a - b))
         };
-        let mut x = DVector::zeros(2 * d);
-        x.rows_mut(0, d).copy_from(&difference(&state.coordinates, &self.coordinates));
-        x.rows_mut(d, d).copy_from(&difference(&state.velocities, &self.velocities));
+        let mut x = DVector::zeros(positions + d);
+        let of_positions = difference(&state.coordinates, &self.coordinates);
+        x.rows_mut(0, positions).copy_from(&of_positions.rows(0, positions));
+        x.rows_mut(positions, d).copy_from(&difference(&state.velocities, &self.velocities));
         Ok(x)
     }
 }

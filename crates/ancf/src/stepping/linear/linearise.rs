@@ -5,6 +5,7 @@ use super::linear_model::{DescriptorForm, LinearModel};
 use super::tangents::Linearised;
 use crate::errors::quoted;
 use crate::initial::coordinate_units;
+use crate::joints::Joint;
 use crate::stepping::inputs::InputUse;
 use crate::stepping::step_error::{StepError, argument};
 use crate::stepping::stepper::Stepper;
@@ -18,8 +19,8 @@ impl Stepper {
     /// the constraints from elimination with full pivoting. All derivatives of forces are compared with finite differences.
     ///
     /// # Errors
-    /// If an input prescribes a motion, a column is no function of the state, a force is not differentiable, a force law has states,
-    /// the model has more than 4000 unknowns, or a free motion has no mass.
+    /// If an input prescribes a motion, a column is no function of the state, a force is not differentiable, friction depends on a
+    /// reaction, the model has more than 4000 unknowns, or a free motion has no mass.
     pub fn linearise(&mut self, outputs: &[&str]) -> Result<LinearModel, StepError> {
         self.apply_inputs()?;
         let size = self.dynamics.equations().coordinates() + self.dynamics.equations().multipliers();
@@ -34,9 +35,13 @@ impl Stepper {
                 "inputs of loads only: the motion depends on the rates of an input that prescribes a motion";
             return Err(argument("linearise", format!("the drive input {}", quoted(name)), expected));
         }
-        if let Some(joint) = self.simulation.assembly.joints.iter().find(|joint| !joint.states.is_empty()) {
-            let expected = "laws without states: their derivatives by states are not assembled";
-            let found = format!("the states of the force law of joint {}", quoted(&joint.name));
+        let has_friction = |joint: &&Joint| {
+            let actions = [joint.kind().angle_actions(), joint.kind().displacement_actions()];
+            actions.iter().filter_map(|one| one.friction).any(|friction| friction.coefficient > 0.0)
+        };
+        if let Some(joint) = self.simulation.scaled.joints.iter().find(has_friction) {
+            let expected = "no friction by reactions: its derivatives by them are not assembled";
+            let found = format!("the friction of joint {}", quoted(joint.name()));
             return Err(argument("linearise", found, expected));
         }
         let numbers = self.differentiable(outputs)?;
@@ -49,27 +54,28 @@ impl Stepper {
     fn in_user_units(&self, of: Linearised, outputs: &[&str], [c, d]: [DMatrix<f64>; 2]) -> LinearModel {
         let (scales, units) =
             (self.simulation.scales(), coordinate_units(&self.simulation.assembly, self.simulation.scales()));
-        let Linearised { s, mass, damping, stiffness, constraints, forces, basis, drift } = of;
+        let Linearised { s, mass, damping, stiffness, constraints, forces, basis, positions, drift } = of;
         let (count, n, t) = (basis.ncols(), s.q.len(), scales.time);
         // Unit of ξ: √mass × length.
         let unit = (scales.force * scales.length).sqrt() * t;
         let zt = basis.transpose();
         let reduced_stiffness = &zt * (&stiffness * &basis + &damping * &drift) / (t * t);
         let reduced_damping = &zt * (&damping * &basis) / t;
-        let mut a = DMatrix::zeros(2 * count, 2 * count);
-        a.view_mut((0, count), (count, count)).fill_with_identity();
-        a.view_mut((count, 0), (count, count)).copy_from(&-reduced_stiffness);
-        a.view_mut((count, count), (count, count)).copy_from(&-reduced_damping);
-        let mut b = DMatrix::zeros(2 * count, forces.ncols());
-        b.view_mut((count, 0), (count, forces.ncols())).copy_from(&(&zt * &forces * (unit / (t * t))));
+        let size = positions + count;
+        let mut a = DMatrix::zeros(size, size);
+        a.view_mut((0, positions), (positions, positions)).fill_with_identity();
+        a.view_mut((positions, 0), (count, positions)).copy_from(&-reduced_stiffness.columns(0, positions));
+        a.view_mut((positions, positions), (count, count)).copy_from(&-reduced_damping);
+        let mut b = DMatrix::zeros(size, forces.ncols());
+        b.view_mut((positions, 0), (count, forces.ncols())).copy_from(&(&zt * &forces * (unit / (t * t))));
         let mut c = c;
-        c.view_mut((0, 0), (c.nrows(), count)).scale_mut(unit.recip());
-        c.view_mut((0, count), (c.nrows(), count)).scale_mut(t / unit);
+        c.view_mut((0, 0), (c.nrows(), positions)).scale_mut(unit.recip());
+        c.view_mut((0, positions), (c.nrows(), count)).scale_mut(t / unit);
         let momenta = &zt * &mass;
         let rate = |x: &[f64], scale: f64| &momenta * DVector::from_column_slice(x) * scale;
-        let mut x_rate = DVector::zeros(2 * count);
-        x_rate.rows_mut(0, count).copy_from(&rate(&s.v, unit / t));
-        x_rate.rows_mut(count, count).copy_from(&rate(&s.a, unit / (t * t)));
+        let mut x_rate = DVector::zeros(size);
+        x_rate.rows_mut(0, positions).copy_from(&rate(&s.v, unit / t).rows(0, positions));
+        x_rate.rows_mut(positions, count).copy_from(&rate(&s.a, unit / (t * t)));
         let of_coordinates = |k: DMatrix<f64>, energy: f64| {
             DMatrix::from_fn(n, n, |i, j| k[(i, j)] * energy / (units[i] * units[j]))
         };

@@ -40,8 +40,8 @@ impl Stepper {
         of: &Linearised,
         outputs: &[usize],
     ) -> Result<[DMatrix<f64>; 2], StepError> {
-        let (count, inputs) = (of.basis.ncols(), of.forces.ncols());
-        let mut c = DMatrix::zeros(outputs.len(), 2 * count);
+        let (count, inputs) = (of.positions + of.basis.ncols(), of.forces.ncols());
+        let mut c = DMatrix::zeros(outputs.len(), count);
         let mut d = DMatrix::zeros(outputs.len(), inputs);
         self.row();
         if outputs.is_empty() {
@@ -51,7 +51,7 @@ impl Stepper {
         let history = self.rows.history();
         for (j, change) in changes.iter().enumerate() {
             let column = self.column_derivatives(&of.s, change, outputs);
-            let to = if j < 2 * count { c.column_mut(j) } else { d.column_mut(j - 2 * count) };
+            let to = if j < count { c.column_mut(j) } else { d.column_mut(j - count) };
             column.into_iter().zip(to).for_each(|(value, to)| *to = value);
         }
         self.rows.restore(&history);
@@ -66,7 +66,7 @@ impl Stepper {
         let zeros = DVector::zeros(n);
         let mut solver = ConstrainedSolver::new(eom, &of.s).map_err(|()| self.singular(&of.s))?;
         let mut directions = Vec::new();
-        for j in 0..of.basis.ncols() {
+        for j in 0..of.positions {
             directions.push((of.basis.column(j).into_owned(), of.drift.column(j).into_owned(), None));
         }
         directions.extend(of.basis.column_iter().map(|z| (zeros.clone(), z.into_owned(), None)));

@@ -23,8 +23,10 @@ pub(super) struct Linearised {
     pub(super) constraints: DMatrix<f64>,
     /// Forces −∂r/∂u of the inputs.
     pub(super) forces: DMatrix<f64>,
-    /// Basis Z, and N of δv = Z η + N ξ.
+    /// Basis Z, and N of δv = Z η + N ξ. The last columns are coordinates of states of force laws.
     pub(super) basis: DMatrix<f64>,
+    /// Number of columns that are motions: nothing depends on the coordinates of states, only on their rates.
+    pub(super) positions: usize,
     pub(super) drift: DMatrix<f64>,
 }
 
@@ -45,19 +47,24 @@ impl Stepper {
         let of_coordinates = |k: &DMatrix<f64>| k.view((0, 0), (n, n)).into_owned();
         let constraints = mass.view((n, 0), (m, n)).into_owned();
         let mass = of_coordinates(&mass);
-        let with_skew = |k: &DMatrix<f64>, skew: Vec<(usize, usize, f64)>| {
+        type Entries = Vec<(usize, usize, f64)>;
+        let complete = |k: &DMatrix<f64>, skew: Entries, omitted: Entries| {
             let mut sum = of_coordinates(k);
             for (i, j, value) in skew {
                 sum[(i, j)] += value;
                 sum[(j, i)] -= value;
             }
+            omitted.into_iter().for_each(|(i, j, value)| sum[(i, j)] += value);
             sum
         };
-        let damping = with_skew(&damping, eom.skew_damping(&s));
-        let stiffness = with_skew(&stiffness, eom.skew_stiffness(&s));
+        let damping = complete(&damping, eom.skew_damping(&s), eom.omitted_damping(&s));
+        let stiffness = complete(&stiffness, eom.skew_stiffness(&s), eom.omitted_stiffness(&s));
         let basis = null_space(&constraints, &mass).ok_or_else(|| {
             argument("linearise", "a motion without mass", "bodies with mass in all free motions")
         })?;
+        let joints = &self.simulation.assembly.joints;
+        let states: Vec<usize> = joints.iter().flat_map(|joint| &joint.states).copied().collect();
+        let (basis, positions) = states_last(&basis, &states);
         let forces = self.input_forces(&s);
         let rates = |moved: &State| {
             let mut rates = vec![0.0; m];
@@ -73,7 +80,7 @@ impl Stepper {
                 drift.set_column(j, &change.rows(0, n));
             }
         }
-        Ok(Linearised { s, mass, damping, stiffness, constraints, forces, basis, drift })
+        Ok(Linearised { s, mass, damping, stiffness, constraints, forces, basis, positions, drift })
     }
 
     pub(super) fn singular(&self, s: &State) -> StepError {
@@ -166,6 +173,18 @@ impl Stepper {
         }
         Ok(())
     }
+}
+
+/// Moves the columns of coordinates of states to the end of a basis. Returns also the number of the other columns.
+fn states_last(basis: &DMatrix<f64>, states: &[usize]) -> (DMatrix<f64>, usize) {
+    let is_state = |j: &usize| {
+        let rows: Vec<usize> = (0..basis.nrows()).filter(|&i| basis[(i, *j)] != 0.0).collect();
+        matches!(rows[..], [row] if states.contains(&row))
+    };
+    let (last, mut order): (Vec<usize>, Vec<usize>) = (0..basis.ncols()).partition(is_state);
+    let positions = order.len();
+    order.extend(last);
+    (basis.select_columns(&order), positions)
 }
 
 /// Factors of [M, Φ_qᵀ; Φ_q, 0] in a state.

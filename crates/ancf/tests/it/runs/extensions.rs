@@ -1,7 +1,7 @@
 //! Joints, loads and sections of a program's own kinds.
 
 use ancf::errors::{Finding, finding};
-use ancf::joints::{Capability, JointActions, JointBuilder, JointKind};
+use ancf::joints::{Capability, JointActions, JointBuilder, JointFriction, JointKind};
 use ancf::loads::{LoadBuilder, LoadKind};
 use ancf::mechanics::sections::{Moments, SectionPoint};
 use ancf::model::{
@@ -60,7 +60,10 @@ impl JointKind for Bearing {
         builder.parallel(axis, "hinge axis");
         builder.angle(
             axis,
-            &JointActions { friction: Some([self.torque, self.rate]), ..JointActions::default() },
+            &JointActions {
+                friction: Some(JointFriction::constant(self.torque, self.rate)),
+                ..JointActions::default()
+            },
         );
     }
 }

@@ -11,6 +11,7 @@ use ancf::mechanics::forces::{
 };
 use ancf::mechanics::functions::{ForceFunction, Function};
 use ancf::mechanics::kinematics::{BodyVector, SectionFrame};
+use ancf::mechanics::laws::FrictionCurve;
 use ancf::solver::equations::Term;
 use nalgebra::{Matrix6, Vector3, Vector6};
 
@@ -77,7 +78,11 @@ pub(super) fn frame_terms(a: &BeamMesh, b: &BeamMesh) -> Vec<Case> {
         ("frames: drive", Box::new(SectionDrive::new(&fa, axes[1], 2.0, ramp, 5)), TermKind::Smooth),
         ("frames: spring", Box::new(Spring::new(turn(), 2.0, 0.0)), TermKind::Smooth),
         ("frames: damped spring", Box::new(Spring::new(along(), 2.0, 0.3)), TermKind::Damped),
-        ("frames: friction", Box::new(Friction::new(turn(), 0.4, 0.9)), TermKind::Damped),
+        (
+            "frames: friction",
+            Box::new(Friction::new(turn(), 0.4, FrictionCurve { creep: 0.9, peak: 1.4, decay: 0.7 })),
+            TermKind::Damped,
+        ),
         ("frames: strut", Box::new(Strut::new(&point, &other, 2.0, 0.7, 0.0).unstressed()), TermKind::Damped),
         (
             "frames: twist",

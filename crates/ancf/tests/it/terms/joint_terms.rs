@@ -9,7 +9,9 @@ use std::sync::Arc;
 use ancf::mechanics::forces::{CoordinateForce, Friction, Spring, StateForce, Strut};
 use ancf::mechanics::functions::Function;
 use ancf::mechanics::kinematics::BodyVector;
-use ancf::mechanics::laws::{LawExpression, LawStateVariable, LawUnits, LawVariables, Resistance, StateLaw};
+use ancf::mechanics::laws::{
+    FrictionCurve, LawExpression, LawStateVariable, LawUnits, LawVariables, Resistance, StateLaw,
+};
 use ancf::solver::equations::Term;
 use nalgebra::Vector3;
 
@@ -36,8 +38,8 @@ fn with_states() -> StateForce {
     let variables = LawVariables { position: "angle", rate: "rate" };
     let state = |name, rate| LawStateVariable { name, rate, start: 0.2 };
     let states = [state("a", "t - 0.5*a - a^3"), state("b", "sin(t) - b")];
-    let law = StateLaw::parse("-2*x - 3*x^3 + t", &states, &variables, &[]).unwrap();
-    StateForce::new(vec![OWN, OWN + 1, OWN + 2], Arc::new(law), UNITS, vec![0.7, 1.3])
+    let law = StateLaw::parse("-2*x - 3*x^3 + t", &states, &[], &variables, &[]).unwrap();
+    StateForce::new(vec![OWN, OWN + 1, OWN + 2], Arc::new(law), UNITS, vec![0.7, 1.3], &[])
 }
 
 /// Forces by laws of a coordinate and of a length.
@@ -99,7 +101,11 @@ pub(super) fn joint_terms(a: &BeamMesh, b: &BeamMesh) -> Vec<(&'static str, Box<
         ("bushing, rotation", Box::new(Spring::new(turn(), 2.0, 0.0)), TermKind::Polynomial),
         ("bushing, damped", Box::new(Spring::new(turn(), 2.0, 0.3)), TermKind::Damped),
         ("preloaded spring", Box::new(Spring::with_set_point(turn(), 2.0, 0.0, set())), TermKind::Polynomial),
-        ("friction", Box::new(Friction::new(turn(), 0.4, 0.9)), TermKind::Damped),
+        (
+            "friction",
+            Box::new(Friction::new(turn(), 0.4, FrictionCurve { creep: 0.9, peak: 1.4, decay: 0.7 })),
+            TermKind::Damped,
+        ),
         ("strut", Box::new(Strut::new(&point, &other, 2.0, 0.0, 0.0).unstressed()), TermKind::Smooth),
         ("strut, damped", Box::new(Strut::new(&point, &other, 2.0, 0.7, 0.0).unstressed()), TermKind::Damped),
         ("preloaded strut", Box::new(Strut::new(&point, &other, 2.0, 0.0, 0.1)), TermKind::Smooth),

@@ -9,6 +9,7 @@ mod joint_terms;
 mod kind;
 mod laws;
 mod magnet;
+mod omitted;
 mod shear_shells;
 mod shells;
 mod steps;

@@ -1,6 +1,6 @@
 use std::fmt;
 
-use super::kind::JointKind;
+use crate::joints::parts::JointKind;
 use crate::units::{Scaled, Scales};
 
 /// Joint of a kind that a program adds. Model files do not have such joints.

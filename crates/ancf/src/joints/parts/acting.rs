@@ -1,0 +1,128 @@
+//! Springs, friction, force laws and stops between the ends of a joint and along its coordinates.
+
+use std::sync::Arc;
+
+use ancf_mechanics::bodies::normals_to;
+use ancf_mechanics::constraints::{BilinearMeasure, MeasureTarget};
+use ancf_mechanics::forces::{Bearing, CoordinateForce, Friction, ReactionFriction, Spring, Strut};
+use ancf_mechanics::functions::Function;
+use ancf_mechanics::laws::{LawUnits, Resistance};
+use nalgebra::Vector3;
+
+use super::actions::JointActions;
+use super::builder::JointBuilder;
+use super::equations::JointStateLaw;
+use super::friction::JointFriction;
+use super::measures;
+use super::recorded_coordinate::{RecordedCoordinate, Source};
+use crate::model::{JointLaw, LawKind, LawUse, TimeMode};
+
+impl JointBuilder<'_> {
+    /// Adds a spring and a damper along a measure.
+    pub fn spring(&mut self, measure: BilinearMeasure, stiffness: f64, damping: f64) {
+        self.add(Spring::new(measure, stiffness, damping));
+    }
+
+    /// Adds a spring and a damper between the two points, free of force at a length; in tension only if stated.
+    pub fn strut(&mut self, [stiffness, damping]: [f64; 2], length: Option<f64>, tension_only: bool) {
+        let apart = measures::apart(self.a(), self.b());
+        let length = length.unwrap_or_else(|| apart.reference().norm());
+        let strut = Strut::new(&self.a().point, &self.b().point, stiffness, damping, length);
+        self.add(if tension_only { strut.tension_only() } else { strut });
+        self.length();
+    }
+
+    /// Adds a force between the two points by a law of the elongation beyond a length.
+    pub fn tension(&mut self, law: &JointLaw, length: Option<f64>) {
+        let reference = measures::apart(self.a(), self.b()).reference().norm();
+        let lengths = [length.unwrap_or(reference), reference];
+        let law = law.resistance(LawKind::Tension, lengths, self.time_mode);
+        self.add(Strut::with_law(&self.a().point, &self.b().point, law));
+        self.length();
+    }
+
+    /// Adds drive, spring, friction, force law and stops of a joint coordinate.
+    pub fn act(&mut self, coordinate: usize, actions: &JointActions<'_>) {
+        let measure = || BilinearMeasure::coordinate(coordinate);
+        if let Some(drive) = &actions.drive {
+            self.prescribe("drive", measure(), drive.target(self.time_mode));
+        }
+        if let Some([stiffness, damping, rest]) = actions.spring {
+            let rest = MeasureTarget::new(rest, Function::ONE);
+            self.add(Spring::with_set_point(measure(), stiffness, damping, rest));
+        }
+        if let Some(friction) = actions.friction.filter(|friction| friction.amount > 0.0) {
+            self.add(Friction::new(measure(), friction.amount, friction.curve));
+        }
+        if let Some(law) = actions.law {
+            self.act_by_law(coordinate, law);
+        }
+        if let Some(stops) = actions.stops {
+            let law = Resistance::acting(Arc::new(stops), LawUnits::OWN);
+            self.add(CoordinateForce::new(coordinate, law));
+        }
+    }
+
+    /// Adds friction in proportion to the reaction of a hinge about an axis. The first equations of the joint are those of the
+    /// position and of the axis.
+    pub(super) fn rub_on_pin(&mut self, coordinate: usize, axis: Vector3<f64>, actions: &JointActions<'_>) {
+        let Some(friction) = actions.friction.filter(|friction| friction.coefficient > 0.0) else { return };
+        let bearing = Bearing::Pin {
+            normals: Box::new(normals_to(axis).map(|normal| self.b().direction(normal))),
+            radius: friction.radius.unwrap_or(0.0),
+            span: friction.span,
+            collar: friction.arm.unwrap_or(0.0),
+        };
+        self.rub(coordinate, &friction, bearing);
+    }
+
+    /// Adds friction in proportion to the reaction of a straight guide. The first equations of the joint are those of the guide.
+    pub(super) fn rub_on_guide(&mut self, coordinate: usize, actions: &JointActions<'_>) {
+        if let Some(friction) = actions.friction.filter(|friction| friction.coefficient > 0.0) {
+            self.rub(coordinate, &friction, Bearing::Guide { span: friction.span, arm: friction.arm });
+        }
+    }
+
+    /// Adds friction in proportion to the reaction of a curve.
+    pub(super) fn rub_on_curve(&mut self, coordinate: usize, actions: &JointActions<'_>) {
+        if let Some(friction) = actions.friction.filter(|friction| friction.coefficient > 0.0) {
+            self.rub(coordinate, &friction, Bearing::Curve);
+        }
+    }
+
+    fn rub(&mut self, coordinate: usize, friction: &JointFriction, bearing: Bearing) {
+        let first = self.equations.multipliers.start;
+        let (coefficient, curve) = (friction.coefficient, friction.curve);
+        self.add(ReactionFriction::new(coordinate, first, bearing, coefficient, curve));
+    }
+
+    /// Adds a force law of a coordinate. Laws with states or signals become terms when all joints are built. States are coordinates
+    /// of the joint in motions, and have their values at the start in other analyses.
+    fn act_by_law(&mut self, coordinate: usize, law: LawUse<'_>) {
+        let with_states = law.law.state_law(law.kind, &[]).expect("a checked law has no syntax errors");
+        let Some((state_law, units)) = with_states.filter(|_| self.time_mode == TimeMode::AsGiven) else {
+            let law = law.law.resistance(law.kind, [0.0; 2], self.time_mode);
+            return self.add(CoordinateForce::new(coordinate, law));
+        };
+        let mut coordinates = vec![coordinate];
+        for state in law.law.states() {
+            let own = self.coordinate();
+            coordinates.push(own);
+            let columns = [state.name.clone(), format!("{}_rate", state.name)];
+            let source = Source::State { columns, start: state.start, time: units.time };
+            self.equations.recorded.push(RecordedCoordinate { source, coordinate: Some(own) });
+        }
+        self.equations.states.extend(&coordinates[1..]);
+        let energies = law.law.states().iter().map(|state| self.energy / state.size.powi(2)).collect();
+        let signals = law.law.signals().to_vec();
+        self.equations.laws.push(JointStateLaw {
+            coordinates,
+            law: Arc::new(state_law),
+            units,
+            energies,
+            signals,
+            scales: law.law.units(),
+            key: law.key,
+        });
+    }
+}

@@ -30,10 +30,12 @@ pub(crate) fn test() -> Done {
     wheel::test(&wheel, &environment, &folder())
 }
 
-/// Builds the wheel with the program of the tests inside, and tries it in an empty environment.
+/// Builds the wheel with an optimised extension and the program of the tests inside, and tries it in an empty environment.
 pub(crate) fn wheel() -> Done {
     let environment = environment()?;
-    let wheel = packed(&environment)?;
+    let (built, _) = compiled()?;
+    say("\n== wheel");
+    let wheel = wheel::build(&environment, &root(), &built, &wheel::Options::default(), &folder())?;
     environment.install(["mypy>=1.11", "pyright[nodejs]>=1.1.390"])?;
     wheel::test(&wheel, &environment, &folder())
 }
@@ -43,15 +45,21 @@ fn folder() -> PathBuf {
     root().join("target/wheel")
 }
 
-/// Builds the wheel with the program of the tests inside, and returns its path.
-fn packed(environment: &Environment) -> Result<PathBuf, String> {
+/// Builds the program of the tests, the library of FMUs and the extension.
+fn compiled() -> Result<(Built, PathBuf), String> {
     // Same packages as the tests of the documentation: nothing is compiled twice.
-    cargo("program", &["build", "--quiet", "--workspace", "--bins", "--examples"], &[])?;
+    cargo("program", &["build", "--quiet", "--workspace", "--lib", "--bins", "--examples"], &[])?;
     let built = root().join("target/debug");
     let library = built.join("deps").join(format!("{DLL_PREFIX}ancf_fmu{DLL_SUFFIX}"));
-    let built = Built { program: built.join(format!("ancf{EXE_SUFFIX}")), library: Some(library) };
+    let extension = built.join(format!("{DLL_PREFIX}_ancf{DLL_SUFFIX}"));
+    Ok((Built { program: built.join(format!("ancf{EXE_SUFFIX}")), library: Some(library) }, extension))
+}
+
+/// Builds the wheel of the tests, with the program and the extension of the development profile, and returns its path.
+fn packed(environment: &Environment) -> Result<PathBuf, String> {
+    let (built, extension) = compiled()?;
     say("\n== wheel");
-    wheel::build(environment, &root(), &built, &wheel::Options::default(), &folder())
+    wheel::assemble(environment, &extension, &built, &folder())
 }
 
 /// Builds the documentation site into `target/site`.

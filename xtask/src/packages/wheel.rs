@@ -48,19 +48,76 @@ pub(crate) fn build(
     environment.install(["wheel>=0.40"])?;
     let unpacked = folder.join("unpacked");
     create_empty(&unpacked)?;
-    let tool = |arguments: &[&str], what: &Path, to: &str, folder: &Path| {
-        let mut command = Command::new(environment.program("python"));
-        command.args(["-m", "wheel"]).args(arguments).arg(what).arg(to).arg(folder);
-        command.stdout(std::process::Stdio::null());
-        run("wheel", &mut command)
-    };
-    tool(&["unpack"], &wheel, "--dest", &unpacked)?;
+    tool(environment, "unpack", &wheel, ["--dest".as_ref(), &unpacked])?;
     let content = only_entry(&unpacked)?;
-    add_program(&content, built)?;
+    pack(environment, &content, built, folder)
+}
+
+/// Builds a wheel of the sources in the tree with an extension that is compiled already, and adds the program. Returns its path.
+///
+/// Maturin writes the metadata. The tests use it: the extension is the one of the other tests, without a further compilation.
+pub(crate) fn assemble(
+    environment: &Environment,
+    extension: &Path,
+    built: &Built,
+    folder: &Path,
+) -> Result<PathBuf, String> {
+    environment.install(["maturin>=1.13,<2", "wheel>=0.40"])?;
+    let metadata = folder.join("metadata");
+    create_empty(&metadata)?;
+    let mut command = Command::new(environment.program("maturin"));
+    command.args(["pep517", "write-dist-info", "--metadata-directory"]).arg(&metadata).current_dir(root());
+    command.stdout(std::process::Stdio::null()).stderr(std::process::Stdio::null());
+    run("metadata of the wheel", &mut command)?;
+    let information = only_entry(&metadata)?;
+    let name = information.file_stem().unwrap_or_default();
+    let unpacked = folder.join("unpacked");
+    create_empty(&unpacked)?;
+    let content = unpacked.join(name);
+    copy_folder(&information, &content.join(information.file_name().unwrap_or_default()))?;
+    let package = content.join("ancf");
+    copy_folder(&root().join("crates/ancf-py/python/ancf"), &package)?;
+    let ending = if cfg!(windows) { "pyd" } else { "abi3.so" };
+    let inside = package.join(format!("_ancf.{ending}"));
+    copy(extension, &inside)?;
+    strip(&inside);
+    pack(environment, &content, built, folder)
+}
+
+/// Adds the program to an unpacked wheel and packs it. Returns its path.
+fn pack(environment: &Environment, content: &Path, built: &Built, folder: &Path) -> Result<PathBuf, String> {
+    add_program(content, built)?;
     let packed = folder.join("dist");
     create_empty(&packed)?;
-    tool(&["pack"], &content, "--dest-dir", &packed)?;
+    tool(environment, "pack", content, ["--dest-dir".as_ref(), &packed])?;
     only_entry(&packed)
+}
+
+/// Runs a command of the package `wheel`.
+fn tool(environment: &Environment, command: &str, what: &Path, to: [&Path; 2]) -> Done {
+    let mut process = Command::new(environment.program("python"));
+    process.args(["-m", "wheel", command]).arg(what).args(to).stdout(std::process::Stdio::null());
+    run("wheel", &mut process)
+}
+
+/// Copies a folder of sources without compiled files.
+fn copy_folder(from: &Path, to: &Path) -> Done {
+    let failed = |error: std::io::Error| format!("{}: {error}", from.display());
+    for entry in fs::read_dir(from).map_err(failed)? {
+        let path = entry.map_err(failed)?.path();
+        let name = path.file_name().unwrap_or_default();
+        if path.is_dir() && name != "__pycache__" {
+            copy_folder(&path, &to.join(name))?;
+        } else if path.is_file() && path.extension().is_none_or(|ending| ending != "so" && ending != "pyd") {
+            copy(&path, &to.join(name))?;
+        }
+    }
+    Ok(())
+}
+
+/// Removes the tables of symbols. Without `strip` the wheel is only larger.
+fn strip(file: &Path) {
+    let _ = Command::new("strip").arg("--strip-debug").arg(file).status();
 }
 
 /// Adds program and library to an unpacked wheel, without their symbols.
@@ -74,8 +131,7 @@ fn add_program(content: &Path, built: &Built) -> Done {
         let Some(file) = file else { continue };
         let to = folder.join(file.file_name().unwrap_or_default());
         copy(file, &to)?;
-        // Programs of the tests have large tables of symbols. Without `strip` the wheel is only larger.
-        let _ = Command::new("strip").arg("--strip-debug").arg(&to).status();
+        strip(&to);
     }
     Ok(())
 }

@@ -92,6 +92,45 @@ pub(crate) fn accelerations<E: EquationsOfMotion + ?Sized>(
     }
     s.a.copy_from_slice(&rhs[..n]);
     s.lambda.copy_from_slice(&rhs[n..]);
+    if eom.observes_multipliers() {
+        correct_observed(eom, matrix, factor, s, rhs)?;
+    }
+    Ok(())
+}
+
+/// Largest number of corrections by forces that depend on multipliers, and their relative size at the end.
+const MAX_CORRECTIONS: u32 = 100;
+const CORRECTED: f64 = 1e-14;
+
+/// Corrects accelerations and multipliers until they agree with the forces that depend on the multipliers.
+///
+/// The corrections decrease by a constant factor. They end where they increase, as in a joint that is self-locking.
+fn correct_observed<E: EquationsOfMotion + ?Sized>(
+    eom: &E,
+    matrix: &SparseMatrix,
+    factor: &mut Factor,
+    s: &mut State,
+    rhs: &mut [f64],
+) -> Result<(), SolveError> {
+    let n = s.q.len();
+    let largest = |x: &[f64]| x.iter().fold(0.0, |size: f64, x| size.max(x.abs()));
+    let mut last = f64::INFINITY;
+    for _ in 0..MAX_CORRECTIONS {
+        eom.residual(s, rhs);
+        rhs[n..].fill(0.0);
+        rhs.iter_mut().for_each(|x| *x = -*x);
+        solve_again(matrix, factor, s, rhs)?;
+        let change = largest(&rhs[n..]);
+        if change >= last {
+            break;
+        }
+        s.a.iter_mut().zip(&rhs[..n]).for_each(|(a, by)| *a += by);
+        s.lambda.iter_mut().zip(&rhs[n..]).for_each(|(lambda, by)| *lambda += by);
+        if change <= CORRECTED * largest(&s.lambda) {
+            break;
+        }
+        last = change;
+    }
     Ok(())
 }
 

@@ -130,6 +130,13 @@ pub trait EquationsOfMotion {
         Vec::new()
     }
 
+    /// Returns true if forces depend on multipliers of other terms ([`Term::observed_multipliers`]).
+    ///
+    /// [`Term::observed_multipliers`]: super::terms::Term::observed_multipliers
+    fn observes_multipliers(&self) -> bool {
+        false
+    }
+
     /// Returns the entries (i, j, value) of ∂f/∂q that the tangent and its skew part lack ([`Term::omitted_stiffness`]).
     ///
     /// [`Term::omitted_stiffness`]: super::terms::Term::omitted_stiffness

@@ -133,6 +133,10 @@ impl EquationsOfMotion for System {
         skew_entries(&self.terms, s, <dyn Term>::skew_damping)
     }
 
+    fn observes_multipliers(&self) -> bool {
+        self.terms[..self.lasting].iter().any(|term| !term.observed_multipliers().is_empty())
+    }
+
     fn omitted_stiffness(&self, s: &State) -> Vec<(usize, usize, f64)> {
         visited_entries(&self.terms, s, <dyn Term>::omitted_stiffness)
     }

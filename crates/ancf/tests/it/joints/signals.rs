@@ -194,7 +194,9 @@ fn laws_read_angles_with_turns_and_distances() {
     let (free, without) = (run(&sensors("")), |name: &str| name.to_owned());
     for name in ["turn.angle", "turn.rate", "relative.angle", "gap.length", "pin.angle"].map(without) {
         let (a, b) = (last(&idle, &name), last(&free, &name));
-        assert!((a - b).abs() < 1e-9 * (1.0 + b.abs()), "{name}: {a} and {b}");
+        // A coordinate satisfies its definition at the ends of steps; its rate does with an error of the order of the step squared.
+        let tolerance = if name.ends_with("rate") { 1e-4 } else { 1e-9 };
+        assert!((a - b).abs() < tolerance * (1.0 + b.abs()), "{name}: {a} and {b}");
     }
     // The reaction of the ground about the pin is the moment: that of the law on the arm.
     let series = run(&sensors(&law("0.3*theta - 2*d + 0.1*dd + 0.05*omega")));

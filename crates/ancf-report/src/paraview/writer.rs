@@ -168,11 +168,12 @@ impl<'a> Writer<'a> {
         };
         let placed = self.geometry.place(&shown);
         // All frames have the same arrays: the imaginary part of a real shape is zero.
-        let imaginary = imaginary.map_or_else(|| reference.clone(), |state| self.geometry.place(&state));
-        let imaginary = self.recording.is_complex().then_some(&imaginary);
-        if placed.is_finite() && imaginary.is_none_or(Placement::is_finite) {
+        let place = || imaginary.map_or_else(|| reference.clone(), |state| self.geometry.place(&state));
+        let imaginary = self.recording.is_complex().then(place);
+        if placed.is_finite() && imaginary.as_ref().is_none_or(Placement::is_finite) {
             let field_data = self.field_data(time, label, s)?;
-            let placements = Placements { placed: &placed, reference: &reference, imaginary };
+            let placements =
+                Placements { placed: &placed, reference: &reference, imaginary: imaginary.as_ref() };
             self.write(time, &shown, placements, &field_data)?;
         } else {
             self.left_out += 1;

@@ -47,11 +47,12 @@ const FLAT: &str = r#"{ kind = "rectangle", width = 0.02, height = 0.015 }"#;
 
 /// Modes of a round shaft along x that turns about its axis, clamped at its start.
 fn shaft(speed: f64, tau: f64) -> Vec<Whirl> {
-    modes(ROUND, speed, tau, true)
+    let rotation = format!("{{ kind = \"base_rotation\", angular_velocity = [{speed}, 0, 0] }}");
+    modes(ROUND, &rotation, tau, true)
 }
 
-/// Modes of a shaft with a section.
-fn modes(section: &str, speed: f64, tau: f64, damped: bool) -> Vec<Whirl> {
+/// Modes of a shaft with a section and loads.
+fn modes(section: &str, loads: &str, tau: f64, damped: bool) -> Vec<Whirl> {
     let model = parse(&format!(
         r#"
 units = {{ length = "m", time = "s", force = "N" }}
@@ -59,7 +60,7 @@ materials.steel = {{ density = 7850, young = 2e11, damping = {{ strain = {tau} }
 sections.own = {section}
 bodies = [{{ kind = "beam", name = "shaft", from = [0, 0, 0], to = [1, 0, 0], elements = 6, section = "own", material = "steel" }}]
 joints = [{{ kind = "clamp", name = "root", a = {{ body = "shaft", at = "start" }} }}]
-loads = [{{ kind = "base_rotation", angular_velocity = [{speed}, 0, 0] }}]
+loads = [{loads}]
 [analysis]
 kind = "modes"
 about = "equilibrium"
@@ -123,10 +124,10 @@ fn phases_of_circular_whirls_are_determined() {
 /// Proportional damping without rotation has real shapes, and undamped modes have no imaginary part.
 #[test]
 fn shapes_without_gyroscopic_forces_are_real() {
-    for whirl in modes(FLAT, 0.0, 1e-5, true) {
+    for whirl in modes(FLAT, "", 1e-5, true) {
         assert!(largest(&whirl.imaginary) < 1e-5 * largest(&whirl.real));
     }
-    for whirl in modes(FLAT, 0.0, 0.0, false) {
+    for whirl in modes(FLAT, "", 0.0, false) {
         assert_eq!(largest(&whirl.imaginary), 0.0);
     }
 }

@@ -39,7 +39,7 @@ export class ObstacleMeshes {
       flat.renderOrder = -1;
       this.shadows.add(flat);
     }
-    this.blend = { first: 0, second: 0, weight: 0, scale: 1 };
+    this.blend = { first: 0, second: 0, weight: 0, scale: 1, imaginary: 0 };
   }
 
   /** Moves the obstacles to their poses between two frames. Fixed obstacles are placed once. */

@@ -2,7 +2,7 @@
 
 import * as THREE from "three";
 import { distance } from "../scene/geometry";
-import type { Scene, Vector } from "../scene/scene";
+import { type Scene, storedFrames, type Vector } from "../scene/scene";
 import { TEXTURE_WIDTH } from "./shaders/point";
 
 /**
@@ -35,10 +35,11 @@ export class PointTextures {
       count += load.stations.length;
     }
     this.count = count;
+    const frames = storedFrames(scene);
     this.reference = this.referencePositions();
-    this.centres = positionTexture(this.framePositions(), scene.frames.count * this.count);
+    this.centres = positionTexture(this.framePositions(), frames * this.count);
     this.referenceCentres = positionTexture(referenceTexels(this.reference), this.count);
-    this.directors = directorTexture(scene.directors, scene.frames.count * scene.stations);
+    this.directors = directorTexture(scene.directors, frames * scene.stations);
     this.referenceDirectors = directorTexture(scene.reference.directors, scene.stations);
   }
 
@@ -89,7 +90,8 @@ export class PointTextures {
 
   private framePositions(): Float32Array<ArrayBuffer> {
     const { scene, count } = this;
-    const data = new Float32Array(4 * TEXTURE_WIDTH * rows(scene.frames.count * count));
+    const frames = storedFrames(scene);
+    const data = new Float32Array(4 * TEXTURE_WIDTH * rows(frames * count));
     let to = 0;
     const append = (from: ArrayLike<number>, first: number, points: number) => {
       for (let i = 3 * first; i < 3 * (first + points); i += 3, to += 4) {
@@ -98,7 +100,7 @@ export class PointTextures {
         data[to + 2] = from[i + 2];
       }
     };
-    for (let f = 0; f < scene.frames.count; f++) {
+    for (let f = 0; f < frames; f++) {
       append(scene.centres, f * scene.stations, scene.stations);
       for (const marker of scene.markers) append(marker.at, f, 1);
       for (const link of scene.links) append(link.ends, 2 * f, 2);

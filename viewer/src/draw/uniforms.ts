@@ -15,6 +15,7 @@ export class SharedUniforms {
       frames: { value: new Int32Array([0, 0]) },
       weight: { value: 0 },
       scale: { value: 1 },
+      imaginary: { value: 0 },
       backdrop: { value: 0 },
       pixel: { value: 0.001 },
       viewport: { value: new THREE.Vector2(1, 1) },
@@ -25,6 +26,7 @@ export class SharedUniforms {
     (this.uniforms.frames.value as Int32Array).set([blend.first, blend.second]);
     this.uniforms.weight.value = blend.weight;
     this.uniforms.scale.value = blend.scale;
+    this.uniforms.imaginary.value = blend.imaginary;
   }
 
   /** Adapts the lighting to a dark or light background. */

@@ -38,7 +38,7 @@ function markerPosition({ scene, reference, blend }: LabelSource, index: number)
   const first = 3 * (scene.stations + index);
   const own = reference.subarray(first, first + 3);
   return Number.isNaN(own[0])
-    ? pointPosition(at, [0, 0, 0], 1, 0, { ...blend, scale: 1 })
+    ? pointPosition(at, [0, 0, 0], 1, 0, { ...blend, scale: 1, imaginary: 0 })
     : pointPosition(at, own, 1, 0, blend);
 }
 

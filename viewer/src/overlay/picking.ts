@@ -120,7 +120,7 @@ export function describeStation(
 ): string[] {
   const unit = scene.units?.length ?? "";
   const station = body.first + index;
-  const position = stationPosition(scene, station, { ...blend, scale: 1 });
+  const position = stationPosition(scene, station, { ...blend, scale: 1, imaginary: 0 });
   const lines = [body.name];
   if (body.grid) {
     const [u, v] = surfacePlace(body.grid, index).map((x) => formatQuantity(x, ""));

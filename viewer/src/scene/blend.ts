@@ -1,9 +1,9 @@
-// Interpolation between frames on the CPU. The shaders use the same formulas (see draw/shaders/point.ts).
+// Interpolation between frames on the CPU, and motion of complex shapes. The shaders use the same formulas (see draw/shaders/point.ts).
 
 import { fieldValue } from "./fields";
 import type { Field, Numbers, Scene, Vector } from "./scene";
 
-/** Interpolation between two frames, and the scale factor of the displacements. */
+/** Interpolation between two frames, and the scale factors of the displacements. */
 export interface FrameBlend {
   first: number;
   second: number;
@@ -11,9 +11,17 @@ export interface FrameBlend {
   weight: number;
   /** Scale factor of the displacements from the reference configuration. */
   scale: number;
+  /** Scale factor of the displacements of the second frame, which are added: the imaginary part of a complex shape. */
+  imaginary: number;
 }
 
-/** Position r + scale (x - r) of point `index` of an array [F][count][3] with reference [count][3]. */
+/** Displacement r + scale (x - r) + imaginary (b - r) of a coordinate between the frames a and b with the reference r. */
+export function blended(a: number, b: number, r: number, blend: FrameBlend): number {
+  const x = a + blend.weight * (b - a);
+  return r + blend.scale * (x - r) + blend.imaginary * (b - r);
+}
+
+/** Position of point `index` of an array [F][count][3] with reference [count][3]. */
 export function pointPosition(
   frames: Numbers,
   reference: ArrayLike<number>,
@@ -24,10 +32,7 @@ export function pointPosition(
   const a = 3 * (blend.first * count + index);
   const b = 3 * (blend.second * count + index);
   const r = 3 * index;
-  const component = (k: number) => {
-    const x = frames[a + k] + blend.weight * (frames[b + k] - frames[a + k]);
-    return reference[r + k] + blend.scale * (x - reference[r + k]);
-  };
+  const component = (k: number) => blended(frames[a + k], frames[b + k], reference[r + k], blend);
   return [component(0), component(1), component(2)];
 }
 

@@ -1,6 +1,6 @@
 // Consistency of a scene: lengths of arrays and indices. The drawing code relies on them.
 
-import { type Numbers, type Scene, SceneError } from "./scene";
+import { type Numbers, type Scene, SceneError, storedFrames } from "./scene";
 
 /** Error of damaged data; `detail` states what was found. */
 export function damaged(detail: string): SceneError {
@@ -15,9 +15,12 @@ function checkLength(found: Numbers, expected: number, name: string): void {
 
 /** Checks the length of every array that is indexed by frame or station, and the indices. */
 export function checkArrays(scene: Scene): void {
-  const frames = scene.frames.count;
+  const frames = storedFrames(scene);
   const { stations } = scene;
-  checkLength(scene.frames.values, frames, "frames");
+  checkLength(scene.frames.values, scene.frames.count, "frames");
+  if (!(scene.frames.imaginary ?? []).every((index) => index === null || (index >= 0 && index < frames))) {
+    throw damaged("the imaginary part of a shape is missing");
+  }
   checkLength(scene.centres, 3 * frames * stations, "centres");
   checkLength(scene.directors, 9 * frames * stations, "directors");
   checkLength(scene.reference.centres, 3 * stations, "centres of the reference configuration");

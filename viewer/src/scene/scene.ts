@@ -123,7 +123,13 @@ export interface Scene {
   bounds: [Vector, Vector];
   size: number;
   up: Vector;
-  frames: { count: number; values: Numbers; labels: string[] | null };
+  /** `imaginary` has the index of the frame with the imaginary part of a complex shape. These frames follow after `count`. */
+  frames: {
+    count: number;
+    values: Numbers;
+    labels: string[] | null;
+    imaginary?: (number | null)[] | null;
+  };
   stations: number;
   bodies: Body[];
   centres: Numbers;
@@ -146,6 +152,12 @@ export class SceneError extends Error {}
 /** True if the frames are shapes of vibration or buckling, which are shown one at a time. */
 export function isModal(scene: Scene): boolean {
   return scene.analysis === "modes" || scene.analysis === "buckling";
+}
+
+/** Number of frames in the arrays: those that are shown, and the imaginary parts of complex shapes. */
+export function storedFrames(scene: Scene): number {
+  const { count, imaginary } = scene.frames;
+  return count + (imaginary ?? []).filter((index) => index !== null).length;
 }
 
 /** True if the run ended with an error before its last step. */

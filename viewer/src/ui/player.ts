@@ -23,6 +23,8 @@ export class Player {
   repeat = false;
   private modal = false;
   private values: ArrayLike<number> = [];
+  /** Of each frame the one with the imaginary part of its shape. */
+  private imaginary: (number | null)[] = [];
   /** True if the user has selected the speed. Otherwise it follows from the duration of the run. */
   private speedSelected = false;
   private lastTick: number | null = null;
@@ -35,6 +37,7 @@ export class Player {
     const time = this.time;
     this.modal = isModal(scene);
     this.values = scene.frames.values;
+    this.imaginary = scene.frames.imaginary ?? [];
     if (!this.speedSelected) this.speed = this.timed ? nearestSpeed(this.duration / DURATION) : 1;
     // Live and failed runs and statics open at their last frame, shapes at the first one that is not rigid.
     const last = scene.live || hasFailed(scene) || scene.analysis === "statics";
@@ -121,12 +124,17 @@ export class Player {
     this.changed();
   }
 
-  /** Frames to draw, with the displacements scaled by `deformation`. */
+  /** Frames to draw, with the displacements scaled by `deformation`. Shapes move with a constant amplitude. */
   blend(deformation: number): FrameBlend {
     const first = Math.min(this.end, Math.floor(this.position));
-    const second = Math.min(this.end, first + 1);
-    const scale = this.modal ? deformation * Math.sin(this.phase) : deformation;
-    return { first, second, weight: this.position - first, scale };
+    const next = Math.min(this.end, first + 1);
+    const weight = this.position - first;
+    if (!this.modal) return { first, second: next, weight, scale: deformation, imaginary: 0 };
+    const scale = deformation * Math.sin(this.phase);
+    const second = this.imaginary[first] ?? null;
+    if (second === null) return { first, second: next, weight, scale, imaginary: 0 };
+    // Re cos(wt) - Im sin(wt) with the phase wt + pi/2.
+    return { first, second, weight: 0, scale, imaginary: deformation * Math.cos(this.phase) };
   }
 }
 

@@ -1,5 +1,6 @@
 // Points that the camera frames: bodies, obstacles, symbols and arrows in all frames.
 
+import { blended, type FrameBlend } from "../scene/blend";
 import { bodyRadius, surfaceBox } from "../scene/geometry";
 import { largestReactions, largestVector } from "../scene/reactions";
 import { type Body, isModal, type Obstacle, type Scene, type Vector } from "../scene/scene";
@@ -12,6 +13,9 @@ const ARROW = 0.14;
 export const LOAD_ARROW = 0.6;
 /** Radius of an obstacle, relative to the diagonal of the motion, above which it is not framed. */
 const MAX_OBSTACLE = 1;
+
+/** Number of phases of a complex shape that are framed. */
+const PHASES = 8;
 
 /** Points as x, y, z, radius. */
 export type Spheres = Float32Array;
@@ -76,9 +80,21 @@ class HullFilter {
   }
 }
 
-/** Factors of the displacements that are drawn: both extremes of an oscillating shape. */
-function factors(scene: Scene, deformation: number): number[] {
-  return isModal(scene) ? [deformation, -deformation] : [deformation];
+/** Frames with the factors of their displacements that are drawn: both extremes of a shape, some phases of a complex one. */
+function drawnFrames(scene: Scene, deformation: number): FrameBlend[] {
+  const { count, imaginary } = scene.frames;
+  const all = Array.from({ length: count }, (_, first) => first);
+  const one = (first: number, scale: number) => ({ first, second: first, weight: 0, scale, imaginary: 0 });
+  if (!isModal(scene)) return all.map((first) => one(first, deformation));
+  return all.flatMap((first) => {
+    const second = imaginary?.[first] ?? null;
+    if (second === null) return [one(first, deformation), one(first, -deformation)];
+    const phases = Array.from({ length: PHASES }, (_, i) => (2 * Math.PI * i) / PHASES);
+    return phases.map((phase) => ({
+      ...{ first, second, weight: 0 },
+      ...{ scale: deformation * Math.sin(phase), imaginary: deformation * Math.cos(phase) },
+    }));
+  });
 }
 
 /** Function of a point and of a radius around it. */
@@ -86,18 +102,16 @@ type AddPoint = (x: number, y: number, z: number, radius: number) => void;
 
 /** Calls `add` for all stations, markers and ends of links in all frames, with scaled displacements. */
 function forEachPoint(scene: Scene, deformation: number, add: AddPoint): void {
-  const { centres, reference, stations, frames } = scene;
-  for (const factor of factors(scene, deformation)) {
-    for (const body of scene.bodies) {
-      const scales = body.scale ? Math.max(...body.scale) : 1;
-      const radius = body.surface ? 0 : bodyRadius(body) * Math.max(1, scales);
-      for (let f = 0; f < frames.count; f++) {
-        for (let i = body.first; i < body.first + body.count; i++) {
-          const [a, r] = [3 * (f * stations + i), 3 * i];
-          const at = (k: number) =>
-            reference.centres[r + k] + factor * (centres[a + k] - reference.centres[r + k]);
-          add(at(0), at(1), at(2), radius);
-        }
+  const { centres, reference, stations } = scene;
+  const blends = drawnFrames(scene, deformation);
+  for (const body of scene.bodies) {
+    const scales = body.scale ? Math.max(...body.scale) : 1;
+    const radius = body.surface ? 0 : bodyRadius(body) * Math.max(1, scales);
+    for (const blend of blends) {
+      for (let i = body.first; i < body.first + body.count; i++) {
+        const [a, b, r] = [3 * (blend.first * stations + i), 3 * (blend.second * stations + i), 3 * i];
+        const at = (k: number) => blended(centres[a + k], centres[b + k], reference.centres[r + k], blend);
+        add(at(0), at(1), at(2), radius);
       }
     }
   }
@@ -112,27 +126,23 @@ function forEachPoint(scene: Scene, deformation: number, add: AddPoint): void {
 
 /** Calls `add` for the corners of the boxes around the surfaces of all rigid bodies in all frames. */
 function forEachCorner(scene: Scene, deformation: number, add: AddPoint): void {
-  for (const factor of factors(scene, deformation)) {
-    for (const body of scene.bodies) if (body.surface) forEachCornerOf(body, scene, factor, add);
-  }
+  const blends = drawnFrames(scene, deformation);
+  for (const body of scene.bodies) if (body.surface) forEachCornerOf(body, scene, blends, add);
 }
 
 /** Calls `add` for the corners of the box around the surface of a rigid body in all frames. */
-function forEachCornerOf(body: Body, scene: Scene, factor: number, add: AddPoint): void {
-  const { centres, directors, reference, stations, frames } = scene;
+function forEachCornerOf(body: Body, scene: Scene, blends: FrameBlend[], add: AddPoint): void {
+  const { centres, directors, reference, stations } = scene;
   const [low, high] = surfaceBox(body);
-  for (let f = 0; f < frames.count; f++) {
-    const [c, d] = [3 * (f * stations + body.first), 9 * (f * stations + body.first)];
-    const [rc, rd] = [3 * body.first, 9 * body.first];
-    const scaled = (now: number, rest: number) => rest + factor * (now - rest);
+  for (const blend of blends) {
+    const [a, b] = [blend.first * stations + body.first, blend.second * stations + body.first];
+    const centre = (k: number) =>
+      blended(centres[3 * a + k], centres[3 * b + k], reference.centres[3 * body.first + k], blend);
+    const director = (k: number) =>
+      blended(directors[9 * a + k], directors[9 * b + k], reference.directors[9 * body.first + k], blend);
     for (let corner = 0; corner < 8; corner++) {
       const arm = [0, 1, 2].map((k) => ((corner >> k) & 1 ? high : low)[k] / 32767);
-      const at = (k: number) =>
-        scaled(centres[c + k], reference.centres[rc + k]) +
-        arm.reduce(
-          (sum, x, j) => sum + x * scaled(directors[d + 3 * j + k], reference.directors[rd + 3 * j + k]),
-          0,
-        );
+      const at = (k: number) => centre(k) + arm.reduce((sum, x, j) => sum + x * director(3 * j + k), 0);
       add(at(0), at(1), at(2), 0);
     }
   }

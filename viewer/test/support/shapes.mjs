@@ -53,3 +53,23 @@ export function frequencies() {
     abscissa: { name: "mode", unit: "", values: f64([1, 2, 3]) },
   };
 }
+
+/** Two whirls of the mast, forward and backward about z, and a real shape. The imaginary parts follow as frames 3 and 4. */
+export function whirls() {
+  const scene = modes();
+  const [forward, backward, real] = [0, 1, 2].map((f) =>
+    Array.from(scene.centres.data.slice(f * 123, f * 123 + 123)),
+  );
+  // Re cos wt - Im sin wt: a forward whirl has the imaginary part -y where the real part is x.
+  const turned = (shape, sense) =>
+    shape.map((_, i) => (i % 3 === 1 ? sense * shape[i - 1] : i % 3 === 2 ? shape[i] : 0));
+  const all = [forward, backward, real, turned(forward, -1), turned(backward, 1)];
+  const frame = Array.from(scene.reference.directors.data);
+  return {
+    ...scene,
+    frames: { ...scene.frames, imaginary: [3, 4, null] },
+    centres: f32(all.flat()),
+    directors: i16(all.flatMap(() => frame)),
+    markers: [{ name: "foot", kind: "joint", detail: "clamp", at: f32(new Array(15).fill(0)) }],
+  };
+}

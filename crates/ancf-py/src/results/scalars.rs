@@ -37,7 +37,7 @@ pub(crate) fn scalar_fields<'py>(
         let reference = geometry.place(&assembly.rest());
         let mut fields = ScalarFields::new(&model, assembly, scales, &geometry, &[]);
         states.each(&frames, |s| {
-            fields.push(&geometry, s, &geometry.place(s), &reference);
+            fields.push(&geometry, s, &[&geometry.place(s)], &reference);
             !signals.are_set()
         });
         (fields.into_defined(), geometry.stations())

@@ -39,7 +39,7 @@ pub struct ScalarField {
 /// | strain | Green's strain E_xx of the axis |
 /// | speed | speed of the axis |
 /// | displacement | distance from the reference placement |
-/// | relative displacement | displacement of a mode shape relative to its maximum |
+/// | relative displacement | displacement of a mode shape relative to its maximum; of a complex shape √(Re² + Im²) |
 /// | error of the mesh | contribution of the body to the largest relative error ([`BodyError`]) |
 /// | membrane force, moment | components per length of a shell in the orthonormal frame of its reference surface |
 /// | stress, principal stress, von Mises stress | of a shell at its top (+h/2 along the normal), middle and bottom |
@@ -116,10 +116,11 @@ impl<'a> ScalarFields<'a> {
         Self { all, sections, assembly, scales, has_velocities, is_modal, has_shells, errors }
     }
 
-    /// Adds the values of a state with its placement. Displacements are measured from a reference placement.
+    /// Adds the values of a state with its placement, or those by the real and imaginary part of its shape. Displacements are measured
+    /// from a reference placement.
     ///
     /// Mode shapes have displacements only, because their amplitude is arbitrary. Speeds exist in dynamics only.
-    pub fn push(&mut self, geometry: &Geometry<'_>, s: &State, placed: &Placement, reference: &Placement) {
+    pub fn push(&mut self, geometry: &Geometry<'_>, s: &State, placed: &[&Placement], reference: &Placement) {
         if !self.is_modal {
             let forces = geometry.read(Field::SectionForces, s);
             for (k, forces) in forces.chunks_exact(6).enumerate() {
@@ -136,8 +137,10 @@ impl<'a> ScalarFields<'a> {
             let speed = |v: &[f64]| Vector3::from_column_slice(v).norm() as f32;
             self.all[MOTION].values.extend(speeds.chunks_exact(3).map(speed));
         }
-        let moved = placed.centres.iter().zip(&reference.centres).map(|(x, from)| (x - from).norm());
-        let moved: Vec<f64> = moved.collect();
+        let distance = |(k, from): (usize, &Vector3<f64>)| {
+            placed.iter().map(|placed| (placed.centres[k] - from).norm_squared()).sum::<f64>().sqrt()
+        };
+        let moved: Vec<f64> = reference.centres.iter().enumerate().map(distance).collect();
         let largest = moved.iter().copied().fold(0.0, f64::max);
         let unit = if self.is_modal && largest > 0.0 { largest } else { 1.0 };
         self.all[MOTION + 1].values.extend(moved.iter().map(|x| (x / unit) as f32));

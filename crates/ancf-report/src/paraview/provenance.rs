@@ -8,12 +8,13 @@ use super::point_data::shell_dimensions;
 use crate::run::Recording;
 
 /// Names of point data and their dimensions.
-const DIMENSIONS: [(&str, Dimension); 22] = [
+const DIMENSIONS: [(&str, Dimension); 23] = [
     ("Points", Dimension::LENGTH),
     ("TimeValue", Dimension::NUMBER),
     ("s", Dimension::LENGTH),
     ("displacement", Dimension::LENGTH),
     ("shape", Dimension::LENGTH),
+    ("shape_imaginary", Dimension::LENGTH),
     ("velocity", Dimension::VELOCITY),
     ("acceleration", Dimension::ACCELERATION),
     ("N", Dimension::FORCE),

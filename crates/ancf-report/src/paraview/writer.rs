@@ -20,7 +20,7 @@ use super::station_values::StationValues;
 use crate::fields::SectionStress;
 use crate::geometry::{Geometry, Placement};
 use crate::run::{Recording, Snapshot};
-use crate::scene::{SceneLayout, displaced, fits, frame_label};
+use crate::scene::{DisplacedStates, SceneLayout, fits, frame_label};
 
 /// Result of writing the files of a run.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -161,14 +161,20 @@ impl<'a> Writer<'a> {
 
     fn draw(&mut self, time: f64, label: Option<String>, s: &State) -> io::Result<()> {
         let reference = self.reference.take().unwrap_or_else(|| self.geometry.place(s));
-        let shown = match self.recording.is_modal() {
-            true => Cow::Owned(displaced(&self.geometry, s, self.layout.size)),
-            false => Cow::Borrowed(s),
+        let displaced = || DisplacedStates::new(&self.geometry, s, self.layout.size);
+        let (shown, imaginary) = match self.recording.is_modal().then(displaced) {
+            Some(DisplacedStates { real, imaginary }) => (Cow::Owned(real), imaginary),
+            None => (Cow::Borrowed(s), None),
         };
         let placed = self.geometry.place(&shown);
-        if placed.is_finite() {
+        // All frames have the same arrays: the imaginary part of a real shape is zero.
+        let place = || imaginary.map_or_else(|| reference.clone(), |state| self.geometry.place(&state));
+        let imaginary = self.recording.is_complex().then(place);
+        if placed.is_finite() && imaginary.as_ref().is_none_or(Placement::is_finite) {
             let field_data = self.field_data(time, label, s)?;
-            self.write(time, &shown, [&placed, &reference], &field_data)?;
+            let placements =
+                Placements { placed: &placed, reference: &reference, imaginary: imaginary.as_ref() };
+            self.write(time, &shown, placements, &field_data)?;
         } else {
             self.left_out += 1;
         }
@@ -186,16 +192,16 @@ impl<'a> Writer<'a> {
         Ok(all)
     }
 
-    /// Writes a frame, given its placement and that of the reference.
+    /// Writes a frame, given its placements.
     fn write(
         &mut self,
         time: f64,
         s: &State,
-        placements: [&Placement; 2],
+        placements: Placements<'_>,
         field_data: &[EncodedArray],
     ) -> io::Result<()> {
         let dynamics = self.recording.model.analysis.dynamics();
-        let moving = dynamics.map(|_| rates(&self.geometry, s, &placements[0].directors));
+        let moving = dynamics.map(|_| rates(&self.geometry, s, &placements.placed.directors));
         let (assembly, scales) = (self.recording.simulation.assembly(), self.recording.scales());
         let values = (!self.recording.is_modal())
             .then(|| StationValues::new(&self.geometry, &self.section_stress, assembly, scales, s));
@@ -237,17 +243,23 @@ impl<'a> Writer<'a> {
         &self,
         of: &[Point],
         content: Content,
-        ([placed, reference], moving, values): FrameData<'_>,
+        (Placements { placed, reference, imaginary }, moving, values): FrameData<'_>,
     ) -> (Vec<Array>, Vec<Vector3<f64>>) {
         let fields = PointData { geometry: &self.geometry, points: of, single: content == Content::Sections };
         let points = positions(of, placed);
-        let moved: Vec<_> = points.iter().zip(positions(of, reference)).map(|(x, from)| x - from).collect();
+        let start = positions(of, reference);
+        let from_start = |points: &[Vector3<f64>]| -> Vec<_> {
+            points.iter().zip(&start).map(|(x, from)| x - from).collect()
+        };
         let mut point_data = match content {
             Content::Sections | Content::Lines => vec![fields.arc_length()],
             Content::Shells => fields.shell_places(),
         };
         let name = if self.recording.is_modal() { "shape" } else { "displacement" };
-        point_data.push(fields.vectors(name, &moved));
+        point_data.push(fields.vectors(name, &from_start(&points)));
+        point_data.extend(
+            imaginary.map(|placed| fields.vectors("shape_imaginary", &from_start(&positions(of, placed)))),
+        );
         point_data.extend(values.into_iter().flat_map(|values| match content {
             Content::Sections | Content::Lines => fields.section_data(values),
             Content::Shells => fields.shell_data(values, placed),
@@ -264,5 +276,14 @@ impl<'a> Writer<'a> {
     }
 }
 
-/// Placements of a frame and of the reference, rates of dynamics, and values at the stations without those of mode shapes.
-type FrameData<'a> = ([&'a Placement; 2], Option<&'a [Placement; 2]>, Option<&'a StationValues<'a>>);
+/// Placements of a frame.
+#[derive(Clone, Copy)]
+struct Placements<'a> {
+    placed: &'a Placement,
+    reference: &'a Placement,
+    /// Placement by the imaginary part of the shape; `None` except in damped modes.
+    imaginary: Option<&'a Placement>,
+}
+
+/// Placements, rates of dynamics, and values at the stations without those of mode shapes.
+type FrameData<'a> = (Placements<'a>, Option<&'a [Placement; 2]>, Option<&'a StationValues<'a>>);

@@ -1,5 +1,5 @@
 use ancf::estimate::BodyError;
-use ancf::model::Analysis;
+use ancf::model::{Analysis, Modes};
 use ancf::record::Series;
 use ancf::solver::equations::State;
 use ancf::units::{Dimension, Scales};
@@ -40,8 +40,8 @@ pub struct Recording<'a> {
 pub struct Snapshot {
     /// First number of the row of the state: time or load factor in the user's units, or the number of the mode.
     pub value: f64,
-    /// State in the units of the solver. Velocities of modes and buckling shapes are the shape, as in
-    /// [`Observer::record`](ancf::Observer::record).
+    /// State in the units of the solver. Velocities of modes and buckling shapes are the shape, accelerations the imaginary part of
+    /// the shape of a damped mode, as in [`Observer::record`](ancf::Observer::record).
     pub state: State,
 }
 
@@ -99,6 +99,11 @@ impl Recording<'_> {
     /// True if the states are mode shapes or buckling shapes.
     pub const fn is_modal(&self) -> bool {
         matches!(self.model.analysis, Analysis::Modes(_) | Analysis::Buckling(_))
+    }
+
+    /// True if the states are mode shapes with an imaginary part.
+    pub const fn is_complex(&self) -> bool {
+        matches!(self.model.analysis, Analysis::Modes(Modes { damped: true, .. }))
     }
 
     /// Word for the analysis in the scene.

@@ -83,8 +83,8 @@ fn add_bodies(layout: &SceneLayout<'_>, budget: usize, header: &mut Value, blob:
     }
     let frames = DrawnFrames::new(recording, &geometry, layout.size, most, &mut notes);
     let mut fields = ScalarFields::new(recording.model, assembly, scales, &geometry, &recording.body_errors);
-    for (s, placed) in frames.states.iter().zip(&frames.placed) {
-        fields.push(&geometry, s, placed, &frames.reference);
+    for (number, s) in frames.states.iter().enumerate() {
+        fields.push(&geometry, s, &frames.parts(number), &frames.reference);
     }
     let fields = fields.into_defined();
     let labels = frames.labels.as_ref();
@@ -93,7 +93,12 @@ fn add_bodies(layout: &SceneLayout<'_>, budget: usize, header: &mut Value, blob:
     header["bounds"] = entries::bounds(layout, &geometry, &frames);
     header["size"] = json!(layout.size);
     header["up"] = json!(up(recording.model.gravity));
-    header["frames"] = json!({ "count": frames.states.len(), "values": positions, "labels": labels });
+    header["frames"] = json!({
+        "count": frames.positions.len(),
+        "values": positions,
+        "labels": labels,
+        "imaginary": frames.has_imaginary().then_some(&frames.imaginary),
+    });
     header["stations"] = json!(geometry.stations());
     header["bodies"] = geometry.bodies.iter().map(|shape| entries::body(shape, blob)).collect();
     header["centres"] = entries::centres(&frames.placed, blob);

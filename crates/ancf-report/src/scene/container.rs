@@ -16,7 +16,7 @@
 //! | `summary`, `messages` | pairs of texts; texts |
 //! | `bounds`, `size` | box around all frames; diagonal of the reference state, for symbols and arrows |
 //! | `up` | `[x, y, z]`: global axis closest to the direction against gravity, or y |
-//! | `frames` | `{count: F, values: f64, labels: null or texts}`; values are positions on the abscissa |
+//! | `frames` | `{count: F, values: f64, labels: null or texts, imaginary: null or indices}`; values are positions on the abscissa; `imaginary`: see below |
 //! | `stations` | P |
 //! | `bodies` | see below |
 //! | `centres` | f32 `[F][P][3]` |
@@ -43,7 +43,9 @@
 //! directors from its centre.
 //!
 //! In modal and buckling analyses, each shape is a frame with a maximum displacement of a tenth of the size, or less if bodies
-//! would cross each other.
+//! would cross each other. The shape of a damped mode is complex and moves by Re cos ωt − Im sin ωt. The frames have its real part.
+//! Frames with imaginary parts follow in all arrays with F frames, except `values` and `labels`. `imaginary` has the index of this
+//! frame for each frame, or null if the shape is real.
 
 use serde_json::{Value, json};
 

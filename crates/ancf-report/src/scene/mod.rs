@@ -14,7 +14,7 @@ mod scene_layout;
 pub use builder::{BUDGET, scene};
 pub(crate) use drawn_frames::fits;
 pub(crate) use frame_label::frame_label;
-pub(crate) use mode_shape::displaced;
+pub(crate) use mode_shape::DisplacedStates;
 pub use mode_shape::shape_factor;
 #[cfg(feature = "server")]
 pub(crate) use page::gzipped;

@@ -57,15 +57,16 @@ impl<'a> SceneLayout<'a> {
         }
     }
 
-    /// Bytes of a frame.
+    /// Bytes of a frame, with the imaginary part of its shape.
     fn bytes_of_frame(&self, stations: usize) -> usize {
+        let parts = if self.recording.is_complex() { 2 } else { 1 };
         let fields = ScalarFields::most(self.recording.model, self.recording.is_modal());
         let moving = self.obstacles.iter().filter(|obstacle| obstacle.moves).count();
         let vectors = 12 * self.symbols.all.len()
             + 24 * (self.symbols.of_joints.len() + self.links.len())
             + 48 * moving
             + 12 * ARROWS * ARROWS * self.recording.model.loads.len();
-        stations * (12 + 18 + 2 * fields) + vectors + 8
+        parts * (stations * (12 + 18 + 2 * fields) + vectors) + 8
     }
 
     /// Returns stations per element and the number of frames that fit into a budget in bytes.

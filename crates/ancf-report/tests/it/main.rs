@@ -14,3 +14,4 @@ mod shapes;
 mod shells;
 mod stresses;
 mod surfaces;
+mod whirls;

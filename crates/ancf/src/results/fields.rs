@@ -106,6 +106,11 @@ impl<'a> Fields<'a> {
         &self.stations
     }
 
+    /// Units of the states.
+    pub const fn scales(&self) -> Scales {
+        self.scales
+    }
+
     /// Appends the values of a field in a state, station by station, in the user's units.
     pub fn fill(&self, field: Field, s: &State, to: &mut Vec<f64>) {
         let contacts = match field {

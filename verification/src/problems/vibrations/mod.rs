@@ -1,9 +1,10 @@
-//! Natural frequencies of beams, shafts and cables.
+//! Natural frequencies of beams, shafts and cables, damped modes of rotors.
 
 mod beams;
+mod rotors;
 mod shafts;
 
 use crate::Problem;
 
 /// Problems of vibrations.
-pub(super) const FAMILIES: [&[Problem]; 2] = [beams::PROBLEMS, shafts::PROBLEMS];
+pub(super) const FAMILIES: [&[Problem]; 3] = [beams::PROBLEMS, shafts::PROBLEMS, rotors::PROBLEMS];

@@ -54,8 +54,8 @@ void main() {
     vec3 ay, az, by, bz;
     sectionAxes(directors, frames.x * stations + i, ay, az);
     sectionAxes(directors, frames.y * stations + i, by, bz);
-    y = ry + scale * (mix(ay, by, weight) - ry);
-    z = rz + scale * (mix(az, bz, weight) - rz);
+    y = ry + scale * (mix(ay, by, weight) - ry) + imaginary * (by - ry);
+    z = rz + scale * (mix(az, bz, weight) - rz) + imaginary * (bz - rz);
     centre = point(i);
     a = float(texelFetch(field, texel(frames.x * stations + i), 0).r);
     b = float(texelFetch(field, texel(frames.y * stations + i), 0).r);

@@ -4,7 +4,8 @@
 export const TEXTURE_WIDTH = 2048;
 
 /**
- * Position of a point: interpolation between two frames, then scaling of the displacement from the reference.
+ * Position of a point: interpolation between two frames, then scaling of the displacement from the reference. In a complex shape, the
+ * second frame is its imaginary part.
  * The formulas are those of scene/blend.ts.
  */
 export const POINT_GLSL = /* glsl */ `
@@ -18,6 +19,7 @@ uniform int points;
 uniform ivec2 frames;
 uniform float weight;
 uniform float scale;
+uniform float imaginary;  // scale of the second frame, which is added
 uniform float pixel;      // height of a pixel at unit distance
 
 ivec2 texel(int i) { return ivec2(i % ${TEXTURE_WIDTH}, i / ${TEXTURE_WIDTH}); }
@@ -30,8 +32,10 @@ vec3 interpolated(int i) {
 
 vec3 point(int i) {
   vec3 x = interpolated(i);
+  vec3 b = texelFetch(centres, texel(frames.y * points + i), 0).xyz;
   vec4 r = texelFetch(referenceCentres, texel(i), 0);
-  return mix(x, r.xyz + scale * (x - r.xyz), r.w);      // w = 0: the point has no reference and is not scaled
+  vec3 scaled = r.xyz + scale * (x - r.xyz) + imaginary * (b - r.xyz);
+  return mix(x, scaled, r.w);      // w = 0: the point has no reference and is not scaled
 }
 
 float pixelSize(vec3 world) {

@@ -57,7 +57,7 @@ class Animations(ResultData):
         parts: int = 8,
         save: str | os.PathLike[str] | None = None,
     ) -> FuncAnimation:
-        """Animate a motion, an equilibrium path, or a mode.
+        """Animate a motion, an equilibrium path, or a mode. Points of complex modes move on ellipses.
 
         In a notebook, `IPython.display.HTML(result.animate().to_jshtml())` shows the animation; in a program,
         `matplotlib.pyplot.show()` does, as long as a reference to the returned object exists.
@@ -172,7 +172,7 @@ class ModeSequence:
 
     def positions(self, frame: int) -> Array:
         """Return the positions in a frame, `[station, 3]`."""
-        return self._lines.positions(self._row, self._scale * float(np.sin(self._phases[frame])))
+        return self._lines.phase_positions(self._row, self._scale, float(self._phases[frame]))
 
     def label(self, frame: int) -> str:
         """Return the title of a frame."""

@@ -17,6 +17,9 @@ Indices: TypeAlias = "np.typing.NDArray[np.int64]"
 
 NO_CELLS: Indices = np.empty((0, 4), dtype=np.int64)
 
+NEGLIGIBLE = 1e-3
+"""Imaginary part of a shape, relative to the real part, below which it is drawn as real."""
+
 MAX_SHELL_STATIONS = 4000
 """Number of stations of all shells above which the parts of their elements are fewer."""
 
@@ -63,6 +66,8 @@ class Lines:
         self.modal = result.is_modal
         """True if the frames are shapes."""
         self.shapes: Array | None = result.shape_at(parts=parts) if self.modal else None
+        self.imaginary = _imaginary_parts(result, parts)
+        """Imaginary parts of the shapes of damped modes, `[mode, station, 3]`."""
         self.geometry = _ancf.ModelGeometry(result.states)
         """Positions of joints and arms."""
         self.arms = Arms.of(result, self, parts)
@@ -77,6 +82,17 @@ class Lines:
     def scale(self, row: int) -> float:
         """Return the default factor of deflections: 1, and that of the report for a shape. Bodies do not cross."""
         return self.geometry.shape_factor(row, self.size) if self.modal else 1.0
+
+    def phase_positions(self, row: int, scale: float, phase: float) -> Array:
+        """Return the positions at a phase of the vibration of a mode, `[station, 3]`.
+
+        The phase of a real shape is that of its sine. A complex shape moves by Re cos ωt − Im sin ωt with ωt + π/2 as
+        the phase, so that its real part has the factor of a real shape.
+        """
+        positions: Array = self.positions(row, scale * float(np.sin(phase)))
+        if self.imaginary is not None:
+            positions = positions + scale * float(np.cos(phase)) * self.imaginary[row]
+        return positions
 
     def positions(self, row: int, scale: float | None = None) -> Array:
         """Return the positions in a frame with deflections multiplied by `scale`, `[station, 3]`."""
@@ -109,6 +125,17 @@ class Lines:
     def points(self, row: int, positions: Array) -> Array:
         """Return all points of the lines and arms of bodies at `positions`, `[point, 3]`."""
         return np.concatenate([positions, self.arms.tips(row, positions)])
+
+
+def _imaginary_parts(result: ResultData, parts: int) -> Array | None:
+    """Return the imaginary parts of the shapes of damped modes. Negligible ones, of real shapes, are zero."""
+    if "damping_ratio" not in result:
+        return None
+    shapes = result.complex_shape_at(parts=parts)
+    largest = np.abs(shapes.real).max(axis=(1, 2), keepdims=True)
+    is_complex = np.abs(shapes.imag).max(axis=(1, 2), keepdims=True) > NEGLIGIBLE * largest
+    imaginary: Array = np.where(is_complex, shapes.imag, 0.0)
+    return imaginary
 
 
 def cells(grid: Indices) -> Indices:

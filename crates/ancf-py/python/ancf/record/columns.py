@@ -7,6 +7,7 @@ import numpy as np
 from ancf.record.suggestion import unknown_name
 
 Array = np.typing.NDArray[np.float64]
+ComplexArray = np.typing.NDArray[np.complex128]
 
 VECTORS: dict[str, tuple[str, ...]] = {
     "position": ("x", "y", "z"),

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ancf.record.columns import VECTORS, Array
+from ancf.record.columns import VECTORS, Array, ComplexArray
 from ancf.record.record import STATION_FIELDS, Record
 from ancf.record.suggestion import unknown_name
 
@@ -104,8 +104,16 @@ class ResultData(Record):
 
     @property
     def shapes(self) -> Array:
-        """Shapes of modes or of buckling, `[mode, station, 3]`, with xᵀ M x = 1."""
+        """Shapes of modes or of buckling, `[mode, station, 3]`, with xᵀ M x = 1. Of damped modes the real part."""
         return self.shape_at()
+
+    @property
+    def complex_shapes(self) -> ComplexArray:
+        """Complex shapes x of damped modes, `[mode, station, 3]`: the motion is Re(x e^{λt}).
+
+        The real part is the largest of all phases, with xᵀ M x = 1. Undamped modes have no imaginary part.
+        """
+        return self.complex_shape_at()
 
     def shape_at(self, body: str | None = None, parts: int = 1) -> Array:
         """Compute shapes of modes or of buckling at the stations of `field`."""
@@ -113,6 +121,12 @@ class ResultData(Record):
             msg = f"a result of {self.kind} has no shapes"
             raise AttributeError(msg)
         return self.field("velocity", body, parts)
+
+    def complex_shape_at(self, body: str | None = None, parts: int = 1) -> ComplexArray:
+        """Compute complex shapes of modes at the stations of `field`."""
+        # States of modes have the imaginary part of the shape as accelerations.
+        shapes: ComplexArray = self.shape_at(body, parts) + 1j * self.field("acceleration", body, parts)
+        return shapes
 
     @property
     def is_modal(self) -> bool:

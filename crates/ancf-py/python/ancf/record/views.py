@@ -108,7 +108,7 @@ class Probe(View):
 
     @property
     def position(self) -> Array:
-        """x, y, z; length. Displacement in modes and buckling shapes."""
+        """x, y, z; length. Displacement in modes and buckling shapes, of damped modes the real part."""
         return self._columns.vector(self.name, "position")
 
     @property

@@ -17,7 +17,7 @@ pub struct DampedMode {
     /// Eigenvalue λ, 1/time, with Im λ ≥ 0: one mode stands for a pair of conjugate eigenvalues.
     pub eigenvalue: Complex<f64>,
     /// Real and imaginary part of the shape x over the coordinates. The motion is Re(x e^{λt}). The real part is the largest of all
-    /// phases, with xᵀ M x = 1.
+    /// phases, with xᵀ M x = 1. If all phases are equally large, as in a circular whirl, the largest coordinate is real and positive.
     pub shape: [Vec<f64>; 2],
     /// Residual |T z − θ z| / |θ| in the norm of M, with θ = 1/(λ − σ).
     pub residual: f64,
@@ -62,6 +62,8 @@ const GUARD: usize = 4;
 const DEPTH: [usize; 2] = [32, 2];
 /// Shift as a part of the lowest frequency.
 const SHIFT: f64 = 0.3;
+/// Relative difference of amplitudes that are equal, such as those of the phases of a circular whirl.
+const CIRCULAR: f64 = 1e-6;
 
 /// Computes the `count` modes (λ²M + λC + K) x + Φ_qᵀ μ = 0, Φ_q x = 0 with the smallest |λ|.
 ///
@@ -175,18 +177,13 @@ fn complete(pairs: &[ComplexPair], shift: f64, [all, is_whole]: [bool; 2]) -> Ve
     known
 }
 
-/// Returns the mode of a pair, with the phase at which the real part is largest.
+/// Returns the mode of a pair, with the phase of [`DampedMode::shape`].
 fn mode(op: &QuadraticOperator<'_>, space: &ArnoldiSpace, pair: &ComplexPair, shift: f64) -> DampedMode {
     let n = op.coordinates();
     let [real, imaginary] = space.vector(pair).map(|part| part.rows(0, n).into_owned());
-    // |Re(x e^{iφ})|² is largest at the phase φ of half the argument of the square sum.
-    let [rr, ii, sum] = [&real, &imaginary, &(&real + &imaginary)].map(|x| op.size(x).powi(2));
-    let ri = 0.5 * (sum - rr - ii);
-    let phase = -0.5 * f64::atan2(2.0 * ri, rr - ii);
-    let (sin, cos) = phase.sin_cos();
+    let (sin, cos) = phase(op, &real, &imaginary).sin_cos();
     let (mut x, mut y) = (&real * cos - &imaginary * sin, &real * sin + &imaginary * cos);
-    let largest = x.iter().fold(0.0_f64, |largest, x| if x.abs() > largest.abs() { *x } else { largest });
-    let factor = largest.signum() / op.size(&x);
+    let factor = x[first_of_largest(x.iter().map(|x| x.abs()))].signum() / op.size(&x);
     x *= factor;
     y *= factor;
     DampedMode {
@@ -194,4 +191,22 @@ fn mode(op: &QuadraticOperator<'_>, space: &ArnoldiSpace, pair: &ComplexPair, sh
         shape: [x.as_slice().to_vec(), y.as_slice().to_vec()],
         residual: pair.residual,
     }
+}
+
+/// Returns the phase φ at which Re(x e^{iφ}) is largest, or at which the largest coordinate is real if all are equally large.
+fn phase(op: &QuadraticOperator<'_>, real: &DVector<f64>, imaginary: &DVector<f64>) -> f64 {
+    // |Re(x e^{iφ})|² is largest at the phase φ of half the argument of the square sum.
+    let [rr, ii, sum] = [real, imaginary, &(real + imaginary)].map(|x| op.size(x).powi(2));
+    let (along, across) = (rr - ii, sum - rr - ii);
+    if along.hypot(across) > CIRCULAR * (rr + ii) {
+        return -0.5 * f64::atan2(across, along);
+    }
+    let number = first_of_largest(real.iter().zip(imaginary).map(|(x, y)| x.hypot(*y)));
+    -f64::atan2(imaginary[number], real[number])
+}
+
+/// Returns the index of the first of the numbers that are the largest within rounding.
+fn first_of_largest(mut numbers: impl Iterator<Item = f64> + Clone) -> usize {
+    let largest = numbers.clone().fold(0.0, f64::max);
+    numbers.position(|x| x >= largest * (1.0 - CIRCULAR)).unwrap_or(0)
 }

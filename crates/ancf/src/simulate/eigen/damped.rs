@@ -57,7 +57,8 @@ impl AnalysisRun<'_> {
         let values = |mode: &DampedMode| {
             vec![mode.frequency() * rate, mode.damping_ratio(), mode.eigenvalue.re * rate, mode.residual]
         };
-        self.shapes(about, modes.iter().map(|mode| (values(mode), mode.shape[0].as_slice())))
+        let of = |mode| (values(mode), mode.shape.each_ref().map(Vec::as_slice));
+        self.complex_shapes(about, modes.iter().map(of))
     }
 }
 

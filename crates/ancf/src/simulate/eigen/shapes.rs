@@ -63,24 +63,36 @@ impl AnalysisRun<'_> {
         self.observer.begin(&columns.collect::<Vec<_>>())
     }
 
-    /// Records values and shapes about a state.
+    /// Records values and real shapes about a state.
     pub(super) fn shapes<'s>(
         &mut self,
-        mut about: State,
+        about: State,
         found: impl Iterator<Item = (Vec<f64>, &'s [f64])>,
+    ) -> RunResult {
+        self.complex_shapes(about, found.map(|(values, shape)| (values, [shape, &[]])))
+    }
+
+    /// Records values and shapes about a state. Velocities are the real part of a shape, accelerations its imaginary part. An empty
+    /// imaginary part is zero.
+    pub(super) fn complex_shapes<'s>(
+        &mut self,
+        mut about: State,
+        found: impl Iterator<Item = (Vec<f64>, [&'s [f64]; 2])>,
     ) -> RunResult {
         // xᵀ M x = 1: with the unit of mass m, the unit of displacements is 1/√m.
         let scales = self.summary.scales;
         let mass = scales.force * scales.time.powi(2) / scales.length;
         let as_velocity = scales.time / scales.length / mass.sqrt();
         let mut found = found.enumerate().peekable();
-        while let Some((number, (values, shape))) = found.next() {
+        while let Some((number, (values, [shape, imaginary]))) = found.next() {
             let mut row = vec![(number + 1) as f64];
             row.extend(values);
             for (_, point) in &self.assembly.probes {
                 row.extend(point.variation(&about, shape).iter().map(|x| x / mass.sqrt()));
             }
             about.v.iter_mut().zip(shape).for_each(|(v, x)| *v = x * as_velocity);
+            about.a.fill(0.0);
+            about.a.iter_mut().zip(imaginary).for_each(|(a, x)| *a = x * as_velocity * scales.time);
             self.summary.steps += 1;
             // A stop request at the last shape has no effect.
             if self.observer.record(&row, &about)?.is_break() && found.peek().is_some() {

@@ -18,8 +18,9 @@ pub trait Observer {
 
     /// Receives a row, in the user's units, and its state, in solver units. `Break` stops the run and keeps the results.
     ///
-    /// For modes and buckling modes, the velocity of the state is the shape. In the user's units, modes have xᵀ M x = 1. The
-    /// coordinates are those of the state about which the model is linearised.
+    /// For modes and buckling modes, the velocity of the state is the shape, and the acceleration the imaginary part of the shape of a
+    /// damped mode, whose motion is Re(x e^{λt}). In the user's units, modes have xᵀ M x = 1. The coordinates are those of the state
+    /// about which the model is linearised.
     ///
     /// # Errors
     /// If the row cannot be recorded; the run ends.

@@ -1,7 +1,8 @@
-//! Buckling loads and natural frequencies.
+//! Buckling loads, natural frequencies and whirls.
 
 mod buckling;
 mod damped_modes;
 mod fine_meshes;
 mod timoshenko_modes;
 mod vibration;
+mod whirls;

@@ -2,7 +2,6 @@ use ancf_mechanics::batches::term_batches;
 use ancf_mechanics::bodies::BodyTerms;
 use std::collections::BTreeSet;
 
-use ancf_mechanics::kinematics::{Attachment, BodyVector, Marker};
 use ancf_solver::equations::{System, Term};
 
 use nalgebra::Vector3;
@@ -10,7 +9,7 @@ use nalgebra::Vector3;
 use super::assembled::{Assembly, OwnedTerms, RecordedQuantity};
 use super::loads::InnerLoads;
 use crate::errors::ModelErrors;
-use crate::model::{IndexedModel, Probe, TimeMode};
+use crate::model::{IndexedModel, TimeMode};
 
 impl IndexedModel<'_> {
     /// Assembles a valid model whose functions are supplied.
@@ -19,11 +18,7 @@ impl IndexedModel<'_> {
     /// If gaps cannot be closed, or a force law has an unknown signal.
     pub(crate) fn assembled(&self, time_mode: TimeMode) -> Result<Assembly, ModelErrors> {
         let bodies = self.prestrained(self.meshes(), time_mode);
-        let joints = self.joint_equations(&bodies, time_mode);
-        let unknown = self.signal_errors(&bodies, &joints);
-        if !unknown.is_empty() {
-            return Err(ModelErrors(unknown));
-        }
+        let joints = self.checked_joint_equations(&bodies, time_mode)?;
         let mut terms: Vec<Box<dyn Term>> = bodies.iter().flat_map(|(_, body)| body.terms()).collect();
         let first_joint = terms.len();
         let mut nodal = Vec::new();
@@ -92,20 +87,5 @@ impl IndexedModel<'_> {
             })
         });
         recorded.collect()
-    }
-
-    /// Number of the body, arc length and place of a probe.
-    pub(super) fn probed(&self, bodies: &[(String, BodyTerms)], probe: &Probe) -> (usize, f64, Attachment) {
-        let index = self.body_of(&probe.on);
-        let (s, [y, z]) = (self.bodies[index].arc_length(&probe.on.at), probe.offset);
-        let place = self.attachment(bodies, &probe.on);
-        let point = match (place.axes(), &bodies[index].1) {
-            (Some([_, d, e]), BodyTerms::Flexible(_)) => {
-                let own = Marker::combined([(y, d), (z, e)]).into();
-                BodyVector::combined([(1.0, &place.point), (1.0, &own)])
-            }
-            _ => place.point.clone(),
-        };
-        (index, s, Attachment { point, ..place })
     }
 }

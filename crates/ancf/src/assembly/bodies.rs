@@ -2,12 +2,12 @@
 
 use ancf_mechanics::bodies::{BeamMesh, BodyTerms, MeshParameters};
 use ancf_mechanics::elements::{BeamMaterial, RigidBody};
-use ancf_mechanics::kinematics::Attachment;
+use ancf_mechanics::kinematics::{Attachment, BodyVector, Marker};
 use ancf_mechanics::shells::{ShearMedium, ShearShellMesh, ShellMedium, ShellMesh};
 use nalgebra::Vector3;
 
 use crate::loads::{Load, rigidity};
-use crate::model::{Beam, Body, IndexedModel, MaterialLaw, Place, ShearShell, Shell, TimeMode};
+use crate::model::{Beam, Body, IndexedModel, MaterialLaw, Place, Probe, ShearShell, Shell, TimeMode};
 
 impl IndexedModel<'_> {
     /// Bodies as terms. Coordinates and multipliers are numbered consecutively.
@@ -140,5 +140,20 @@ impl IndexedModel<'_> {
         let point = body.shell_place(&place.at).map_or(point, |at| at.parameters());
         let attachment = bodies[index].1.attachment(body.arc_length(&place.at), point);
         if place.offset == [0.0; 3] { attachment } else { attachment.offset(Vector3::from(place.offset)) }
+    }
+
+    /// Number of the body, arc length and place of a probe.
+    pub(super) fn probed(&self, bodies: &[(String, BodyTerms)], probe: &Probe) -> (usize, f64, Attachment) {
+        let index = self.body_of(&probe.on);
+        let (s, [y, z]) = (self.bodies[index].arc_length(&probe.on.at), probe.offset);
+        let place = self.attachment(bodies, &probe.on);
+        let point = match (place.axes(), &bodies[index].1) {
+            (Some([_, d, e]), BodyTerms::Flexible(_)) => {
+                let own = Marker::combined([(y, d), (z, e)]).into();
+                BodyVector::combined([(1.0, &place.point), (1.0, &own)])
+            }
+            _ => place.point.clone(),
+        };
+        (index, s, Attachment { point, ..place })
     }
 }

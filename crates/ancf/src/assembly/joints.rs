@@ -11,7 +11,7 @@ use ancf_mechanics::kinematics::{Attachment, BodyVector, ElementAxis};
 use ancf_solver::equations::{LOCAL, Term};
 use nalgebra::Vector3;
 
-use crate::errors::{ModelError, quoted};
+use crate::errors::{ModelError, ModelErrors, quoted};
 use crate::joints::{
     Coupled, Coupling, End, Gap, Ground, Joint, JointBuilder, JointCoordinate, JointEnds, JointEquations,
     JointKind, JointStateLaw, LinearRows, Numbering, Part, RecordedCoordinate, Source,
@@ -74,6 +74,20 @@ impl IndexedModel<'_> {
         equations
     }
 
+    /// Equations of the joints of a model whose signals are known.
+    ///
+    /// # Errors
+    /// If a force law has an unknown signal or too many of them.
+    pub(crate) fn checked_joint_equations(
+        &self,
+        bodies: &[(String, BodyTerms)],
+        time_mode: TimeMode,
+    ) -> Result<Vec<JointEquations>, ModelErrors> {
+        let joints = self.joint_equations(bodies, time_mode);
+        let errors = self.signal_errors(bodies, &joints);
+        if errors.is_empty() { Ok(joints) } else { Err(ModelErrors(errors)) }
+    }
+
     /// Force laws of a joint with states and signals. Those with unknown signals are errors of the model
     /// ([`signal_errors`](Self::signal_errors)).
     fn state_forces(
@@ -93,11 +107,7 @@ impl IndexedModel<'_> {
     }
 
     /// Errors of force laws whose signals are unknown or depend on too many coordinates.
-    pub(crate) fn signal_errors(
-        &self,
-        bodies: &[(String, BodyTerms)],
-        joints: &[JointEquations],
-    ) -> Vec<ModelError> {
+    fn signal_errors(&self, bodies: &[(String, BodyTerms)], joints: &[JointEquations]) -> Vec<ModelError> {
         let mut errors = Vec::new();
         for (number, own) in joints.iter().enumerate() {
             for law in &own.laws {

@@ -23,6 +23,7 @@ __all__ = [
     "ForceExpression",
     "JointCoordinate",
     "JointLaw",
+    "LawSignal",
     "LawStateEquation",
     "LinearDrive",
     "LinearFriction",
@@ -82,21 +83,46 @@ class AngularSpring(Part):
 @checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class AngularFriction(Part):
-    """Dry friction of a hinge with the moment −moment tanh(ω/rate).
+    """Dry friction of a hinge with the moment −(moment + coefficient radius N) g(ω), N the normal force of
+    the reaction.
+
+    g(ω) = tanh(ω/rate) (1 + (peak − 1) exp(−(ω/decay)²)).
 
     Attributes
     ----------
-    moment
-        Friction moment, force length (>= 0).
     rate
         Angular velocity below which friction is viscous, radians/time (> 0).
+    coefficient
+        Coefficient of friction of the bearing; 0 by default (>= 0).
+    collar
+        Mean radius of a collar that carries the reaction along the axis, length. Without it this force causes
+        no friction (> 0).
+    decay
+        Angular velocity over which friction falls from its peak, radians/time. Required with a peak above 1
+        (> 0).
+    moment
+        Friction moment without a reaction, such as that of a seal, force length; 0 by default (>= 0).
+    peak
+        Ratio of the largest friction at low rates to that at high rates (Stribeck); 1 by default (>= 1).
+    radius
+        Radius of the pin, on which the reaction across the axis acts, length. Required with a coefficient (>
+        0).
+    span
+        Distance of two bearings that carry the reaction moments, length. Without it these moments cause no
+        friction (> 0).
 
     """
 
     _form = "AngularFriction"
 
-    moment: float
     rate: float
+    coefficient: float | None = None
+    collar: float | None = None
+    decay: float | None = None
+    moment: float | None = None
+    peak: float | None = None
+    radius: float | None = None
+    span: float | None = None
 
 
 @checked_arguments
@@ -149,21 +175,41 @@ class LinearSpring(Part):
 @checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class LinearFriction(Part):
-    """Dry friction of a slider with the force −force tanh(v/speed).
+    """Dry friction of a slider with the force −(force + coefficient N) g(v), N the normal force of the
+    reaction.
+
+    g(v) = tanh(v/speed) (1 + (peak − 1) exp(−(v/decay)²)).
 
     Attributes
     ----------
-    force
-        Friction force, force (>= 0).
     speed
         Velocity below which friction is viscous, length/time (> 0).
+    arm
+        Lever arm at which the guide carries the moment about the axis, length. Without it this moment causes
+        no friction (> 0).
+    coefficient
+        Coefficient of friction of the guide; 0 by default (>= 0).
+    decay
+        Velocity over which friction falls from its peak, length/time. Required with a peak above 1 (> 0).
+    force
+        Friction force without a reaction, force; 0 by default (>= 0).
+    peak
+        Ratio of the largest friction at low velocities to that at high ones (Stribeck); 1 by default (>= 1).
+    span
+        Distance of two shoes that carry the reaction moments across the axis, length. Without it these
+        moments cause no friction (> 0).
 
     """
 
     _form = "LinearFriction"
 
-    force: float
     speed: float
+    arm: float | None = None
+    coefficient: float | None = None
+    decay: float | None = None
+    force: float | None = None
+    peak: float | None = None
+    span: float | None = None
 
 
 @checked_arguments
@@ -228,6 +274,29 @@ class LinearStops(Part):
     damping: float | None = None
     lower: float | None = None
     upper: float | None = None
+
+
+@checked_arguments
+@dataclass(kw_only=True, slots=True, eq=False, repr=False)
+class LawSignal(Part):
+    """Signal of a force law: a recorded value of another part of the model, in the same state.
+
+    Formulas of the law contain its value under its name, in the units of the formulas.
+
+    Attributes
+    ----------
+    name
+        Name in the formulas of the law.
+    value
+        Column of a position or velocity of a probe, of a coordinate of a joint or its rate, or of a state,
+        such as ``tip.z``.
+
+    """
+
+    _form = "LawSignal"
+
+    name: str = field(kw_only=False)
+    value: str
 
 
 @checked_arguments
@@ -297,6 +366,9 @@ class ForceExpression(Part):
     ----------
     text
         Formula, such as ``-4*x - 10*x^3 - 0.1*v``.
+    signals
+        Values of other parts of the model that the formulas may contain; none by default. For coordinates of
+        joints in motions.
     states
         States of first order, which the formula may contain; none by default. For coordinates of joints in
         motions; other analyses keep their values at the start.
@@ -310,6 +382,7 @@ class ForceExpression(Part):
     kind: ClassVar[Literal["expression"]] = "expression"
 
     text: str = field(kw_only=False)
+    signals: Sequence[LawSignal] | None = None
     states: Sequence[LawStateEquation] | None = None
     units: Scales | None = None
 

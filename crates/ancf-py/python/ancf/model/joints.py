@@ -33,6 +33,7 @@ __all__ = [
     "Generic",
     "Joint",
     "MatrixBushing",
+    "Measure",
     "Planar",
     "PointOnLine",
     "PrescribedMotion",
@@ -40,6 +41,7 @@ __all__ = [
     "Revolute",
     "Seam",
     "SeamCondition",
+    "Sensor",
     "SlidingJoint",
     "Spherical",
     "Support",
@@ -89,6 +91,14 @@ SeamCondition: TypeAlias = Literal["rigid", "hinged"]
 * ``"rigid"``: The angle of both surfaces along the seam is constant: smooth surfaces stay smooth, kinks keep
   their angle.
 * ``"hinged"``: The surfaces rotate freely about the seam.
+"""
+
+Measure: TypeAlias = Literal["distance", "displacement", "angle"]
+"""Quantity that a sensor between two places measures.
+
+* ``"distance"``: Distance of the points.
+* ``"displacement"``: Displacement of ``a`` relative to ``b`` along an axis of ``b``.
+* ``"angle"``: Angle of ``a`` relative to ``b`` about an axis of ``b``.
 """
 
 
@@ -618,6 +628,39 @@ class Seam(Part):
     condition: SeamCondition | None = None
 
 
+@checked_arguments
+@dataclass(kw_only=True, slots=True, eq=False, repr=False)
+class Sensor(Part):
+    """Sensor between two places: records their distance, a displacement or an angle, without a force.
+
+    Attributes
+    ----------
+    name
+        Name in outputs and messages.
+    a
+        First end.
+    b
+        Second end: a place or a point of the ground, also at a distance from ``a``.
+    measure
+        Measured quantity: the distance of the points; or the displacement or the angle of ``a`` relative to
+        ``b``, zero in the undeformed state. One of ``"distance"``, ``"displacement"``, ``"angle"``.
+    axis
+        Direction of the axis of a displacement or an angle in the undeformed state, in the global frame. It
+        is fixed to ``b``. Its magnitude has no effect.
+
+    """
+
+    _form = "Joint"
+    _tag = "kind"
+    kind: ClassVar[Literal["sensor"]] = "sensor"
+
+    name: str = field(kw_only=False)
+    a: Place
+    b: JointEnd
+    measure: Measure
+    axis: Vector | None = None
+
+
 Joint: TypeAlias = (
     Clamp
     | Revolute
@@ -636,6 +679,7 @@ Joint: TypeAlias = (
     | MatrixBushing
     | Support
     | Seam
+    | Sensor
 )
 """Joint between a body and the ground or another body.
 

@@ -1,9 +1,11 @@
-//! Springs, friction, force laws and stops between the ends of a joint and along its coordinates.
+//! Coordinates of a joint, with springs, friction, force laws and stops along them.
 
 use std::sync::Arc;
 
 use ancf_mechanics::bodies::normals_to;
-use ancf_mechanics::constraints::{BilinearMeasure, MeasureTarget};
+use ancf_mechanics::constraints::{
+    BilinearMeasure, HingeAngle, MeasureConstraint, MeasureTarget, SlideConstraint,
+};
 use ancf_mechanics::forces::{Bearing, CoordinateForce, Friction, ReactionFriction, Spring, Strut};
 use ancf_mechanics::functions::Function;
 use ancf_mechanics::laws::{LawUnits, Resistance};
@@ -11,13 +13,91 @@ use nalgebra::Vector3;
 
 use super::actions::JointActions;
 use super::builder::JointBuilder;
-use super::equations::JointStateLaw;
+use super::coupling::JointCoordinate;
+use super::equations::{JointStateLaw, Part};
 use super::friction::JointFriction;
 use super::measures;
 use super::recorded_coordinate::{RecordedCoordinate, Source};
 use crate::model::{JointLaw, LawKind, LawUse, TimeMode};
 
 impl JointBuilder<'_> {
+    /// Records the angle about an axis of unit length, and adds the actions along it.
+    ///
+    /// The other equations of the joint must keep the axes of both ends parallel. A joint records one angle.
+    pub fn angle(&mut self, axis: impl Into<Vector3<f64>>, actions: &JointActions<'_>) {
+        let axis = axis.into();
+        let vectors = measures::hinge(self.a(), self.b(), axis);
+        let mut coordinate = None;
+        if (self.coupled)(JointCoordinate::Angle) || actions.is_some() {
+            let (own, multiplier) = (self.coordinate(), self.multipliers(1));
+            let [p, u, v] = &vectors;
+            self.add(HingeAngle::new(own, p, [u, v], multiplier));
+            self.act(own, actions);
+            self.rub_on_pin(own, axis, actions);
+            coordinate = Some(own);
+        }
+        let ends = Box::new([self.a().clone(), self.b().clone()]);
+        self.equations
+            .recorded
+            .push(RecordedCoordinate { source: Source::Angle { vectors, ends }, coordinate });
+    }
+
+    /// Records the angle of the projection of a vector of the first end, about an axis of unit length of the second end.
+    pub(crate) fn projected_angle(&mut self, axis: Vector3<f64>) {
+        let vectors = measures::hinge(self.a(), self.b(), axis);
+        let mut coordinate = None;
+        if (self.coupled)(JointCoordinate::Angle) {
+            let (own, multiplier) = (self.coordinate(), self.multipliers(1));
+            let [p, u, v] = &vectors;
+            self.add(HingeAngle::new(own, p, [u, v], multiplier));
+            coordinate = Some(own);
+        }
+        self.equations.recorded.push(RecordedCoordinate { source: Source::Projection(vectors), coordinate });
+    }
+
+    /// Records the displacement along an axis of the second end, and adds the actions along it.
+    pub fn displacement(&mut self, axis: impl Into<Vector3<f64>>, actions: &JointActions<'_>) {
+        let measure = measures::along(self.a(), self.b(), axis.into());
+        let mut coordinate = None;
+        if (self.coupled)(JointCoordinate::Displacement) || actions.is_some() {
+            let (own, multiplier) = (self.coordinate(), self.multipliers(1));
+            let tie = MeasureConstraint::defining(own, measure.clone(), multiplier);
+            self.add(tie.named("definition of the displacement"));
+            self.act(own, actions);
+            self.rub_on_guide(own, actions);
+            coordinate = Some(own);
+        }
+        self.equations
+            .recorded
+            .push(RecordedCoordinate { source: Source::Displacement(measure), coordinate });
+    }
+
+    /// Constrains the first point to the axis of the second body, and adds the actions along it.
+    pub fn slide(&mut self, actions: &JointActions<'_>) {
+        let Some((axes, start)) = self.ends.beam.take() else { return };
+        let (own, first) = (self.coordinate(), self.multipliers(3));
+        // Each term evaluates the multipliers that all of them share: the first one reports the reaction.
+        for (k, slide) in
+            SlideConstraint::along(axes, &self.a().point, own, start, first).into_iter().enumerate()
+        {
+            self.equations.parts.push(Part { term: Box::new(slide), reacts: k == 0 });
+        }
+        self.act(own, actions);
+        self.rub_on_curve(own, actions);
+        self.equations
+            .recorded
+            .push(RecordedCoordinate { source: Source::Position(start), coordinate: Some(own) });
+    }
+
+    /// Records the distance of the two points, once.
+    pub fn length(&mut self) {
+        if self.equations.recorded.iter().any(|recorded| matches!(recorded.source, Source::Length(_))) {
+            return;
+        }
+        let source = Source::Length(measures::apart(self.a(), self.b()));
+        self.equations.recorded.push(RecordedCoordinate { source, coordinate: None });
+    }
+
     /// Adds a spring and a damper along a measure.
     pub fn spring(&mut self, measure: BilinearMeasure, stiffness: f64, damping: f64) {
         self.add(Spring::new(measure, stiffness, damping));

@@ -6,9 +6,9 @@ use serde::{Deserialize, Serialize};
 
 use crate::units::Scaled;
 
-/// Dry friction of a hinge with the moment −(moment + coefficient radius N) g(ω), N the normal force of the reaction.
+/// Dry friction of a hinge with the moment −(moment + coefficient radius N) g(ω).
 ///
-/// g(ω) = tanh(ω/rate) (1 + (peak − 1) exp(−(ω/decay)²)).
+/// N is the normal force of the reaction, g(ω) = tanh(ω/rate) (1 + (peak − 1) exp(−(ω/decay)²)).
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(deny_unknown_fields)]
 pub struct AngularFriction {
@@ -53,9 +53,9 @@ pub struct AngularFriction {
     pub decay: Option<f64>,
 }
 
-/// Dry friction of a slider with the force −(force + coefficient N) g(v), N the normal force of the reaction.
+/// Dry friction of a slider with the force −(force + coefficient N) g(v).
 ///
-/// g(v) = tanh(v/speed) (1 + (peak − 1) exp(−(v/decay)²)).
+/// N is the normal force of the reaction, g(v) = tanh(v/speed) (1 + (peak − 1) exp(−(v/decay)²)).
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(deny_unknown_fields)]
 pub struct LinearFriction {

@@ -16,7 +16,6 @@ pub struct RecordedCoordinate {
 
 /// Computation of the value from a state.
 #[derive(Clone, Debug)]
-#[expect(clippy::large_enum_variant, reason = "most recorded coordinates are angles")]
 pub(crate) enum Source {
     /// Angle of the vector p of the first end in the plane of u and v of the second end, and the attachments of both ends.
     Angle { vectors: [BodyVector; 3], ends: Box<[Attachment; 2]> },

@@ -52,9 +52,11 @@ fn blocks_slide_and_stick_on_inclined_guides() {
     }
     // tan 0.15 < μ.
     let series = run(&block(-0.15, &friction, 0.0, ""));
-    let creep = 1e-5 * (0.15_f64.tan() / MU).atanh() * 0.5;
-    let moved = last(&series, "g.displacement");
-    assert!((moved - creep).abs() < 0.05 * creep, "{moved:e} and {creep:e}");
+    let creep = 1e-5 * (0.15_f64.tan() / MU).atanh();
+    let at = |i: usize| series.column("g.displacement").unwrap()[i];
+    let rate = (at(500) - at(250)) / 0.25;
+    assert!((rate - creep).abs() < 0.01 * creep, "{rate:e} and {creep:e}");
+    assert!(at(500) < 1e-5);
 }
 
 /// The friction of a load at an arm: two shoes at a distance carry m g each side by the lever rule.
@@ -62,10 +64,10 @@ fn blocks_slide_and_stick_on_inclined_guides() {
 fn shoes_carry_moments() {
     // The weight acts at 0.3 along the guide, between neither shoe: N = m g 2 e/L for e > L/2.
     let text = |span: &str| {
-        block(0.0, &format!("coefficient = {MU}, speed = 1e-6{span}"), 2.0, "")
+        block(0.0, &format!("coefficient = {MU}, speed = 1e-6{span}"), 4.0, "")
             .replace("at = \"center\" }, axis", "at = [-0.3, 0, 0] }, axis")
     };
-    let slowed = |span: &str| 2.0 - last(&run(&text(span)), "g.speed");
+    let slowed = |span: &str| 4.0 - last(&run(&text(span)), "g.speed");
     // The moment about the point of the joint contains that of the friction force, which passes through it: none.
     let expected = |normal: f64| MU * normal * 9.81 * 0.5;
     assert!((slowed("") - expected(1.0)).abs() < 1e-6, "{}", slowed(""));
@@ -93,17 +95,19 @@ fn pins_slow_wheels_down() {
     };
     let z = |friction: &str| slowed("[0, 0, 1]", "[0, 0, 20]", "[0, 0, 0]", friction);
     let unit = MU * 0.02 * 5.0 * 9.81 / 0.1 * 0.5;
-    assert!((z("radius = 0.02") - unit).abs() < 1e-6 * unit);
+    // The rates of a turning body have an error of the order of (ω h)².
+    let error = 1e-3 * unit;
+    assert!((z("radius = 0.02") - unit).abs() < error, "{} and {unit}", z("radius = 0.02"));
     let with_seal = z("radius = 0.02, moment = 0.05");
-    assert!((with_seal - unit - 0.05 / 0.1 * 0.5).abs() < 1e-6 * unit, "{with_seal}");
+    assert!((with_seal - unit - 0.05 / 0.1 * 0.5).abs() < error, "{with_seal}");
     // The weight at 0.5 beside the bearings, which are 0.1 apart: N = m g 2 · 0.5/0.1.
     let beside = slowed("[0, 0, 1]", "[0, 0, 20]", "[0, 0, 0.5]", "radius = 0.02, span = 0.1");
-    assert!((beside - 10.0 * unit).abs() < 1e-5 * unit, "{beside} and {unit}");
+    assert!((beside - 10.0 * unit).abs() < 10.0 * error, "{beside} and {unit}");
     // A vertical axis: the collar carries the weight.
     let vertical = |friction: &str| slowed("[0, 1, 0]", "[0, 20, 0]", "[0, 0, 0]", friction);
-    assert!(vertical("radius = 0.02").abs() < 1e-6);
+    assert!(vertical("radius = 0.02").abs() < error);
     let on_collar = vertical("radius = 0.02, collar = 0.06");
-    assert!((on_collar - 3.0 * unit).abs() < 1e-6 * unit, "{on_collar}");
+    assert!((on_collar - 3.0 * unit).abs() < 3.0 * error, "{on_collar}");
 }
 
 /// A pendulum whose pin has friction: the normal force contains the centrifugal force, and an integration of the equation of motion

@@ -17,6 +17,9 @@ use nalgebra::{Matrix6, Vector3, Vector6};
 
 use super::kind::TermKind;
 
+/// Friction with a peak.
+const STRIBECK: FrictionCurve = FrictionCurve { creep: 0.9, peak: 1.4, decay: 0.7 };
+
 /// Coordinate that belongs to no body.
 const OWN: usize = 100;
 
@@ -78,11 +81,7 @@ pub(super) fn frame_terms(a: &BeamMesh, b: &BeamMesh) -> Vec<Case> {
         ("frames: drive", Box::new(SectionDrive::new(&fa, axes[1], 2.0, ramp, 5)), TermKind::Smooth),
         ("frames: spring", Box::new(Spring::new(turn(), 2.0, 0.0)), TermKind::Smooth),
         ("frames: damped spring", Box::new(Spring::new(along(), 2.0, 0.3)), TermKind::Damped),
-        (
-            "frames: friction",
-            Box::new(Friction::new(turn(), 0.4, FrictionCurve { creep: 0.9, peak: 1.4, decay: 0.7 })),
-            TermKind::Damped,
-        ),
+        ("frames: friction", Box::new(Friction::new(turn(), 0.4, STRIBECK)), TermKind::Damped),
         ("frames: strut", Box::new(Strut::new(&point, &other, 2.0, 0.7, 0.0).unstressed()), TermKind::Damped),
         (
             "frames: twist",

@@ -17,6 +17,9 @@ use nalgebra::Vector3;
 
 use super::kind::TermKind;
 
+/// Friction with a peak.
+const STRIBECK: FrictionCurve = FrictionCurve { creep: 0.9, peak: 1.4, decay: 0.7 };
+
 /// Coordinate that belongs to no body.
 const OWN: usize = 100;
 
@@ -101,11 +104,7 @@ pub(super) fn joint_terms(a: &BeamMesh, b: &BeamMesh) -> Vec<(&'static str, Box<
         ("bushing, rotation", Box::new(Spring::new(turn(), 2.0, 0.0)), TermKind::Polynomial),
         ("bushing, damped", Box::new(Spring::new(turn(), 2.0, 0.3)), TermKind::Damped),
         ("preloaded spring", Box::new(Spring::with_set_point(turn(), 2.0, 0.0, set())), TermKind::Polynomial),
-        (
-            "friction",
-            Box::new(Friction::new(turn(), 0.4, FrictionCurve { creep: 0.9, peak: 1.4, decay: 0.7 })),
-            TermKind::Damped,
-        ),
+        ("friction", Box::new(Friction::new(turn(), 0.4, STRIBECK)), TermKind::Damped),
         ("strut", Box::new(Strut::new(&point, &other, 2.0, 0.0, 0.0).unstressed()), TermKind::Smooth),
         ("strut, damped", Box::new(Strut::new(&point, &other, 2.0, 0.7, 0.0).unstressed()), TermKind::Damped),
         ("preloaded strut", Box::new(Strut::new(&point, &other, 2.0, 0.0, 0.1)), TermKind::Smooth),

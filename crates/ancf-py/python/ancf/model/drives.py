@@ -83,10 +83,9 @@ class AngularSpring(Part):
 @checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class AngularFriction(Part):
-    """Dry friction of a hinge with the moment −(moment + coefficient radius N) g(ω), N the normal force of
-    the reaction.
+    """Dry friction of a hinge with the moment −(moment + coefficient radius N) g(ω).
 
-    g(ω) = tanh(ω/rate) (1 + (peak − 1) exp(−(ω/decay)²)).
+    N is the normal force of the reaction, g(ω) = tanh(ω/rate) (1 + (peak − 1) exp(−(ω/decay)²)).
 
     Attributes
     ----------
@@ -175,10 +174,9 @@ class LinearSpring(Part):
 @checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class LinearFriction(Part):
-    """Dry friction of a slider with the force −(force + coefficient N) g(v), N the normal force of the
-    reaction.
+    """Dry friction of a slider with the force −(force + coefficient N) g(v).
 
-    g(v) = tanh(v/speed) (1 + (peak − 1) exp(−(v/decay)²)).
+    N is the normal force of the reaction, g(v) = tanh(v/speed) (1 + (peak − 1) exp(−(v/decay)²)).
 
     Attributes
     ----------

@@ -130,3 +130,24 @@ fn bad_lists_are_refused_before_anything_runs() {
     let done = folder.ancf(&["scaled", "rope.toml"]);
     assert!(done.messages.contains("a list of 4 analyses"), "{}", done.messages);
 }
+
+/// A file of the user with the name of the copy is kept. The copy of an earlier run is replaced.
+#[test]
+fn files_of_the_user_are_not_overwritten() {
+    let short = |step: &str| {
+        format!(
+            "analysis = [{{ kind = \"statics\", name = \"hang\" }}, {{ kind = \"dynamics\", name = \"fall\", duration = 0.01, step = {step} }}, {{ kind = \"dynamics\", name = \"swing\", duration = 0.01, step = {step} }}]\n"
+        )
+    };
+    let folder = folder(&short("1e-3"));
+    std::fs::create_dir(folder.path("own")).unwrap();
+    folder.write("own/sequence.toml", "mine");
+    let refused = folder.ancf(&["run", "rope.toml", "-o", "own"]);
+    assert_ne!(refused.code, Some(0));
+    assert!(refused.messages.contains("own/sequence.toml is not a file of a run"), "{}", refused.messages);
+    assert_eq!(folder.read("own/sequence.toml"), "mine");
+    folder.printed(&["run", "rope.toml"]);
+    folder.write("rope.toml", &format!("{ROPE}{}", short("2e-3")));
+    folder.printed(&["run", "rope.toml", "-o", "rope"]);
+    assert!(folder.read("rope/sequence.toml").contains("step = 2e-3"));
+}

@@ -123,7 +123,8 @@ class LinearModel:
     """Linear model about a state: ẋ = A x + B u, y = C x + D u, in deviations from that state.
 
     The minimal coordinates are x = (ξ, η), ξ = P (q - q₀), η = P (v - v₀) with the projection P = ZᵀM, Φ_q Z = 0 and
-    ZᵀMZ = I. Then ξ̇ = η. The descriptor form has the coordinates q of `State`:
+    ZᵀMZ = I. Then ξ̇ = η. States of force laws are further η, after those of the motions, without a ξ.
+    The descriptor form has the coordinates q of `State`:
     M q̈ + C q̇ + K q + Gᵀ λ = F u, G q = 0.
     """
 
@@ -166,7 +167,8 @@ class LinearModel:
         """Return the minimal coordinates of the present state of a simulation of the same model."""
         state = simulation.state
         q, v = state.coordinates - self.coordinates, state.velocities - self.velocities
-        return np.concatenate([self.projection @ q, self.projection @ v])
+        positions = len(self.A) - len(self.projection)
+        return np.concatenate([(self.projection @ q)[:positions], self.projection @ v])
 
 
 class Simulation:

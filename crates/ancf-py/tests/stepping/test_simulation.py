@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+import scipy.linalg
 
 import ancf
 
@@ -206,6 +207,40 @@ def test_threads_advance_independent_simulations() -> None:
     for thread in threads:
         thread.join()
     assert all(rows[i] == alone.row() for i in range(3))
+
+
+def test_linear_models_contain_states_and_signals_of_laws() -> None:
+    def body(name: str, y: float, mass: float) -> ancf.RigidBody:
+        return ancf.RigidBody(name, center=[0, y, 0], mass=mass, inertia=[0.1, 0.1, 0.1])
+
+    own, other = body("own", 0, 2), body("other", 1, 3)
+    law = ancf.ForceExpression(
+        "-50*(x - y) - 4*v + 10*u + z",
+        states=[ancf.LawStateEquation("z", rate="y - 2*z")],
+        signals=[ancf.LawSignal("y", value="two.displacement")],
+    )
+    spring = ancf.LinearSpring(stiffness=30, damping=1)
+    push = ancf.Force(on=other.at(), force=[1, 0, 0], time=ancf.InputFunction("u"))
+    model = ancf.Model(
+        bodies=[own, other],
+        inputs=[ancf.Input("u")],
+        joints=[
+            ancf.Prismatic("one", a=own.at(), axis=[1, 0, 0], force=law),
+            ancf.Prismatic("two", a=other.at(), axis=[1, 0, 0], spring=spring),
+        ],
+        loads=[push],
+        analysis=ancf.Dynamics(duration=1, step=1e-3),
+    )
+    sim = ancf.Simulation(model)
+    linear = sim.linearize(["one.displacement", "one.z", "two.speed"])
+    assert linear.A.shape == (5, 5)
+    sim.set("u", 1)
+    sim.advance(0.5)
+    # The model is linear: x(t) = A⁻¹ (exp(A t) - 1) B.
+    expected = np.linalg.solve(linear.A, (scipy.linalg.expm(linear.A * 0.5) - np.eye(5)) @ linear.B[:, 0])
+    assert np.abs(linear.x(sim) - expected).max() < 1e-5 * np.abs(expected).max()
+    found = [sim.read(name) for name in linear.outputs]
+    assert np.allclose(found, linear.C @ expected, rtol=0, atol=1e-5)
 
 
 def test_linear_model_of_a_pendulum() -> None:

@@ -48,7 +48,9 @@ impl Model {
         let mut terms = meshes.iter().flat_map(|(_, mesh)| mesh.terms()).collect::<Vec<_>>();
         terms.extend(joints.iter().flat_map(JointEquations::terms));
         let rest = assembly.rest();
-        let system = System::new(rest.q.len(), rest.lambda.len(), terms)
+        // States of force laws exist in motions only.
+        let [coordinates, _] = IndexedModel::numbers(&meshes, &joints);
+        let system = System::new(coordinates, rest.lambda.len(), terms)
             .with_shared_multipliers(assembly.undetermined());
         let gaps: Vec<(String, f64)> = joints
             .iter()
@@ -66,10 +68,27 @@ impl Model {
             let hint = format!("open are {}", open.collect::<Vec<_>>().join(", "));
             ModelErrors(vec![ModelError::new("assemble", found, expected).hint(hint)])
         })?;
+        let state = with_states(&state, &meshes, &joints, assembly);
         let moved = meshes.iter().map(|(name, mesh)| (name.clone(), displacement(mesh, &state)));
         let moved = moved.filter(|(_, by)| *by > MOVED * self.length()).collect();
         Ok(GapClosure { state, gaps, moved })
     }
+}
+
+/// Closed state with the coordinates of the assembly, which has those of the states of force laws in addition.
+fn with_states(
+    closed: &State,
+    meshes: &[(String, BodyTerms)],
+    joints: &[JointEquations],
+    assembly: &Assembly,
+) -> State {
+    let [of_bodies, _] = IndexedModel::numbers(meshes, &[]);
+    let mut state = State { lambda: closed.lambda.clone(), load: closed.load, ..assembly.rest() };
+    state.q[..of_bodies].copy_from_slice(&closed.q[..of_bodies]);
+    let from = joints.iter().flat_map(|joint| joint.coordinates.clone());
+    let to = assembly.joints.iter().flat_map(JointEquations::free_coordinates);
+    to.zip(from).for_each(|(to, from)| state.q[to] = closed.q[from]);
+    state
 }
 
 /// Largest displacement of the nodes of a body.

@@ -186,6 +186,29 @@ fn controlled_beams_have_closed_balances() {
     assert!(last(&series, "balance").abs() < 1e-3 * largest, "{} {largest}", last(&series, "balance"));
 }
 
+/// Gaps close in a model with states, as in one without them. Coordinates of later joints keep their meaning.
+#[test]
+fn gaps_close_with_states() {
+    let text = |law: &str| {
+        format!(
+            "assemble = true\n\
+             bodies = [{{ kind = \"rigid\", name = \"a\", center = [0.5, 0, 0], mass = 1, inertia = [0.1, 0.1, 0.1] }}, {{ kind = \"rigid\", name = \"b\", center = [1.51, 0.3, 0], mass = 1, inertia = [0.1, 0.1, 0.1] }}]\n\
+             joints = [{{ kind = \"revolute\", name = \"m\", a = {{ body = \"a\", at = [0, 0, 0] }}, axis = [0, 0, 1], moment = {{ kind = \"expression\", {law} }} }},\n\
+             {{ kind = \"revolute\", name = \"k\", a = {{ body = \"b\", at = [1.01, 0.3, 0] }}, b = {{ body = \"a\", at = [1, 0, 0] }}, axis = [0, 0, 1], spring = {{ stiffness = 2, angle = 0.3 }} }}]\n\
+             analysis = {{ {} }}\n",
+            motion(0.2, 1e-3)
+        )
+    };
+    let (with, _) =
+        run(&text("text = \"-3*angle - 0*z\", states = [{ name = \"z\", rate = \"angle - z\" }]"));
+    let (without, _) = run(&text("text = \"-3*angle\""));
+    for name in ["m.angle", "k.angle", "k.rate"] {
+        let (found, expected) = (last(&with, name), last(&without, name));
+        assert!((found - expected).abs() < 1e-9 * (1.0 + expected.abs()), "{name}: {found} and {expected}");
+    }
+    assert!(last(&with, "k.angle").abs() > 1e-3);
+}
+
 #[test]
 fn errors_of_states_have_their_places() {
     let message = |states: &str, more: &str| {

@@ -42,6 +42,25 @@ fn signal_of_joint(recorded: &RecordedCoordinate, column: &str, scales: Scales) 
     })
 }
 
+/// Term of a law with its signals and their paths.
+///
+/// # Errors
+/// If it depends on too many coordinates, with the first signal beyond.
+fn state_force(law: &JointStateLaw, signals: Vec<(String, Signal)>) -> Result<StateForce, ModelError> {
+    let mut coordinates: BTreeSet<usize> = law.coordinates.iter().copied().collect();
+    for (path, signal) in &signals {
+        coordinates.extend(signal.coordinates());
+        if coordinates.len() > LOCAL {
+            let found = format!("signals that depend on more than {LOCAL} coordinates");
+            let expected = "fewer signals: a place on a beam has 12 to 27 coordinates, a rigid body 12";
+            return Err(ModelError::new(path, found, expected));
+        }
+    }
+    let signals: Vec<Signal> = signals.into_iter().map(|(_, signal)| signal).collect();
+    let (coordinates, energies) = (law.coordinates.clone(), law.energies.clone());
+    Ok(StateForce::new(coordinates, Arc::clone(&law.law), law.units, energies, &signals))
+}
+
 impl IndexedModel<'_> {
     /// Numbers of coordinates and multipliers of bodies and joints.
     pub(crate) fn numbers(bodies: &[(String, BodyTerms)], joints: &[JointEquations]) -> [usize; 2] {
@@ -51,27 +70,14 @@ impl IndexedModel<'_> {
     }
 
     /// Equations of the joints. Coordinates and multipliers are numbered after those of the bodies.
+    ///
+    /// Laws with wrong signals are left out: [`checked_joint_equations`](Self::checked_joint_equations) returns their errors.
     pub(crate) fn joint_equations(
         &self,
         bodies: &[(String, BodyTerms)],
         time_mode: TimeMode,
     ) -> Vec<JointEquations> {
-        let [mut coordinate, mut multiplier] = Self::numbers(bodies, &[]);
-        let edge_rows = RefCell::default();
-        let energy = self.state_energy();
-        let equations = self.joints.iter().enumerate().map(|(number, joint)| {
-            let coupled = |coordinate| self.is_coupled(number, coordinate);
-            let numbering = Numbering { coordinate, multiplier, time_mode, energy };
-            let equations = self.equations_of(joint.kind(), (bodies, &edge_rows), numbering, &coupled);
-            (coordinate, multiplier) = (equations.coordinates.end, equations.multipliers.end);
-            equations.with_gap(self.gap(joint))
-        });
-        let mut equations: Vec<_> = equations.collect();
-        let terms: Vec<_> = equations.iter().map(|own| self.state_forces(bodies, &equations, own)).collect();
-        for (own, terms) in equations.iter_mut().zip(terms) {
-            own.parts.extend(terms.into_iter().map(|term| Part { term: Box::new(term), reacts: true }));
-        }
-        equations
+        self.joint_equations_and_errors(bodies, time_mode).0
     }
 
     /// Equations of the joints of a model whose signals are known.
@@ -83,55 +89,64 @@ impl IndexedModel<'_> {
         bodies: &[(String, BodyTerms)],
         time_mode: TimeMode,
     ) -> Result<Vec<JointEquations>, ModelErrors> {
-        let joints = self.joint_equations(bodies, time_mode);
-        let errors = self.signal_errors(bodies, &joints);
+        let (joints, errors) = self.joint_equations_and_errors(bodies, time_mode);
         if errors.is_empty() { Ok(joints) } else { Err(ModelErrors(errors)) }
     }
 
-    /// Force laws of a joint with states and signals. Those with unknown signals are errors of the model
-    /// ([`signal_errors`](Self::signal_errors)).
+    fn joint_equations_and_errors(
+        &self,
+        bodies: &[(String, BodyTerms)],
+        time_mode: TimeMode,
+    ) -> (Vec<JointEquations>, Vec<ModelError>) {
+        let [mut coordinate, mut multiplier] = Self::numbers(bodies, &[]);
+        let edge_rows = RefCell::default();
+        let energy = self.state_energy();
+        let equations = self.joints.iter().enumerate().map(|(number, joint)| {
+            let coupled = |coordinate| self.is_coupled(number, coordinate);
+            let numbering = Numbering { coordinate, multiplier, time_mode, energy };
+            let equations = self.equations_of(joint.kind(), (bodies, &edge_rows), numbering, &coupled);
+            (coordinate, multiplier) = (equations.coordinates.end, equations.multipliers.end);
+            equations.with_gap(self.gap(joint))
+        });
+        let mut equations: Vec<_> = equations.collect();
+        let found = (0..equations.len()).map(|number| self.state_forces(bodies, &equations, number));
+        let found: Vec<_> = found.collect();
+        let mut errors = Vec::new();
+        for (own, (terms, unknown)) in equations.iter_mut().zip(found) {
+            own.parts.extend(terms.into_iter().map(|term| Part { term: Box::new(term), reacts: true }));
+            errors.extend(unknown);
+        }
+        (equations, errors)
+    }
+
+    /// Force laws of a joint with states and signals, and errors of signals that are unknown or depend on too many coordinates.
     fn state_forces(
         &self,
         bodies: &[(String, BodyTerms)],
         joints: &[JointEquations],
-        own: &JointEquations,
-    ) -> Vec<StateForce> {
-        let term = |law: &JointStateLaw| {
-            let signals = law.signals.iter().map(|signal| self.signal(bodies, joints, law, &signal.value));
-            let signals = signals.collect::<Option<Vec<_>>>()?;
-            let (coordinates, energies) = (law.coordinates.clone(), law.energies.clone());
-            let term = StateForce::new(coordinates, Arc::clone(&law.law), law.units, energies, &signals);
-            term.fits().then_some(term)
-        };
-        own.laws.iter().filter_map(term).collect()
-    }
-
-    /// Errors of force laws whose signals are unknown or depend on too many coordinates.
-    fn signal_errors(&self, bodies: &[(String, BodyTerms)], joints: &[JointEquations]) -> Vec<ModelError> {
-        let mut errors = Vec::new();
-        for (number, own) in joints.iter().enumerate() {
-            for law in &own.laws {
-                let path = |k: usize| format!("joints[{number}].{}.signals[{k}].value", law.key);
-                let mut coordinates: BTreeSet<usize> = law.coordinates.iter().copied().collect();
-                for (k, signal) in law.signals.iter().enumerate() {
-                    let expected = "a position or velocity of a probe, a coordinate of a joint or its rate, or a \
-                                    state, such as `tip.z`";
-                    let Some(found) = self.signal(bodies, joints, law, &signal.value) else {
-                        errors.push(ModelError::new(path(k), quoted(&signal.value), expected));
-                        continue;
-                    };
-                    coordinates.extend(found.coordinates());
-                    if coordinates.len() > LOCAL {
-                        let found = format!("signals that depend on more than {LOCAL} coordinates");
-                        let expected =
-                            "fewer signals: a place on a beam has 12 to 27 coordinates, a rigid body 12";
-                        errors.push(ModelError::new(path(k), found, expected));
-                        break;
-                    }
+        number: usize,
+    ) -> (Vec<StateForce>, Vec<ModelError>) {
+        let (mut terms, mut errors) = (Vec::new(), Vec::new());
+        for law in &joints[number].laws {
+            let (mut signals, mut unknown) = (Vec::new(), Vec::new());
+            for (k, signal) in law.signals.iter().enumerate() {
+                let path = format!("joints[{number}].{}.signals[{k}].value", law.key);
+                let expected = "a position or velocity of a probe, a coordinate of a joint or its rate, or a state, such \
+                                as `tip.z`";
+                match self.signal(bodies, joints, law, &signal.value) {
+                    None => unknown.push(ModelError::new(path, quoted(&signal.value), expected)),
+                    Some(found) => signals.push((path, found)),
                 }
             }
+            if unknown.is_empty() {
+                match state_force(law, signals) {
+                    Ok(term) => terms.push(term),
+                    Err(error) => errors.push(error),
+                }
+            }
+            errors.extend(unknown);
         }
-        errors
+        (terms, errors)
     }
 
     /// Signal of a column for a force law.
@@ -151,24 +166,17 @@ impl IndexedModel<'_> {
         }
         let moves = |probe: &&Probe| probe.name == owner && probe.record.contains(&Quantity::Motion);
         let probe = self.probes.iter().find(moves)?;
-        let (axis, is_rate) = match column {
-            "x" | "y" | "z" => (column, false),
-            "vx" | "vy" | "vz" => (&column[1..], true),
-            _ => return None,
-        };
-        let axis = match axis {
-            "x" => Vector3::x(),
-            "y" => Vector3::y(),
-            _ => Vector3::z(),
-        };
-        let (point, axis) = (self.probed(bodies, probe).2.point, BodyVector::fixed(axis));
+        let names = ["x", "y", "z", "vx", "vy", "vz"];
+        let number = names.iter().position(|name| *name == column)?;
+        let axis = BodyVector::fixed(Vector3::ith(number % 3, 1.0));
+        let point = self.probed(bodies, probe).2.point;
         let product = (1.0, MeasureFactor::Other(&axis), MeasureFactor::Point(&point));
         let measure = Measured::new([product]);
         let offset = measure.reference() * law.scales.unit(Dimension::LENGTH);
         let source = SignalSource::Measure(measure);
-        Some(match is_rate {
-            false => Signal::value(source, law.scales.unit(Dimension::LENGTH), offset),
-            true => Signal::rate(source, law.scales.unit(Dimension::VELOCITY), 0.0),
+        Some(match number {
+            ..3 => Signal::value(source, law.scales.unit(Dimension::LENGTH), offset),
+            _ => Signal::rate(source, law.scales.unit(Dimension::VELOCITY), 0.0),
         })
     }
 

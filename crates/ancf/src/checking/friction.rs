@@ -25,8 +25,7 @@ pub(crate) fn friction(model: &IndexedModel<'_>) -> Vec<Finding> {
     let of_contacts =
         contacts.filter_map(|(i, contact)| rule(format!("contacts[{i}].friction"), contact.friction));
     let of_joints = joints_of(model).flat_map(|(path, joint)| {
-        let actions = [joint.kind().angle_actions(), joint.kind().displacement_actions()];
-        let amounts = actions.into_iter().filter_map(|actions| actions.friction);
+        let amounts = joint.kind().actions().into_iter().filter_map(|actions| actions.friction);
         let amount = |friction: JointFriction| friction.amount.max(friction.coefficient);
         let rules = amounts.filter_map(|friction| rule(format!("{path}.friction"), amount(friction)));
         rules.collect::<Vec<_>>()
@@ -38,8 +37,7 @@ pub(crate) fn friction(model: &IndexedModel<'_>) -> Vec<Finding> {
 pub(crate) fn friction_of_joints(model: &IndexedModel<'_>) -> Vec<Finding> {
     let mut findings = Vec::new();
     for (path, joint) in joints_of(model) {
-        let actions = [joint.kind().angle_actions(), joint.kind().displacement_actions()];
-        for (actions, is_angle) in actions.iter().zip([true, false]) {
+        for (actions, is_angle) in joint.kind().actions().iter().zip([true, false]) {
             let Some(friction) = actions.friction else { continue };
             let key = |key: &str| format!("{path}.friction.{key}");
             let missing = |key: String, found: &str, expected: &str| Finding {

@@ -61,7 +61,7 @@ pub(crate) fn spans(model: &IndexedModel<'_>) -> Vec<Finding> {
 pub(crate) fn drives(model: &IndexedModel<'_>) -> Vec<Finding> {
     let mut findings = Vec::new();
     for (path, joint) in joints_of(model) {
-        let (angle, displacement) = (joint.kind().angle_actions(), joint.kind().displacement_actions());
+        let [angle, displacement] = joint.kind().actions();
         for (actions, names) in [(angle, ["angle", "rate"]), (displacement, ["displacement", "speed"])] {
             findings.extend(rule_of_drive(model, &format!("{path}.{}", actions.table), &actions, names));
         }
@@ -73,8 +73,7 @@ pub(crate) fn drives(model: &IndexedModel<'_>) -> Vec<Finding> {
 pub(crate) fn stops(model: &IndexedModel<'_>) -> Vec<Finding> {
     let mut findings = Vec::new();
     for (path, joint) in joints_of(model) {
-        let actions = [joint.kind().angle_actions(), joint.kind().displacement_actions()];
-        for stops in actions.into_iter().filter_map(|actions| actions.stops) {
+        for stops in joint.kind().actions().into_iter().filter_map(|actions| actions.stops) {
             let [lower, upper] = stops.at;
             if stops.at == [None; 2] {
                 let expected = "at least one of `lower` and `upper`";

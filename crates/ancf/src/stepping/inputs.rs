@@ -19,7 +19,7 @@ impl InputUse {
     pub(super) fn of(model: &Model, name: &str) -> Self {
         let mut found = Self::Load;
         for (_, joint) in joints_of(model) {
-            let (angle, displacement) = (joint.kind().angle_actions(), joint.kind().displacement_actions());
+            let [angle, displacement] = joint.kind().actions();
             let rates: Vec<&str> = [angle, displacement]
                 .into_iter()
                 .filter(|actions| actions.drive.is_some_and(|drive| drive.amounts[0].is_none()))

@@ -61,11 +61,6 @@ impl StateForce {
         Self { coordinates, law, units, masses, signals }
     }
 
-    /// True if a term with these coordinates of states and signals is not too large for one term.
-    pub fn fits(&self) -> bool {
-        self.coordinates.len() <= LOCAL
-    }
-
     /// State of the law at a rate of x, with the values of its states and signals.
     fn state(&self, at: &Local<'_>, rate: f64) -> (LawState, Values) {
         let LawUnits { position, time, .. } = self.units;

@@ -33,7 +33,13 @@ impl JointBuilder<'_> {
             let [p, u, v] = &vectors;
             self.add(HingeAngle::new(own, p, [u, v], multiplier));
             self.act(own, actions);
-            self.rub_on_pin(own, axis, actions);
+            let normals = normals_to(axis).map(|normal| self.b().direction(normal));
+            self.rub(own, actions, |friction| Bearing::Pin {
+                normals: Box::new(normals),
+                radius: friction.radius.unwrap_or(0.0),
+                span: friction.span,
+                collar: friction.arm.unwrap_or(0.0),
+            });
             coordinate = Some(own);
         }
         let ends = Box::new([self.a().clone(), self.b().clone()]);
@@ -64,7 +70,7 @@ impl JointBuilder<'_> {
             let tie = MeasureConstraint::defining(own, measure.clone(), multiplier);
             self.add(tie.named("definition of the displacement"));
             self.act(own, actions);
-            self.rub_on_guide(own, actions);
+            self.rub(own, actions, |friction| Bearing::Guide { span: friction.span, arm: friction.arm });
             coordinate = Some(own);
         }
         self.equations
@@ -83,7 +89,7 @@ impl JointBuilder<'_> {
             self.equations.parts.push(Part { term: Box::new(slide), reacts: k == 0 });
         }
         self.act(own, actions);
-        self.rub_on_curve(own, actions);
+        self.rub(own, actions, |_| Bearing::Curve);
         self.equations
             .recorded
             .push(RecordedCoordinate { source: Source::Position(start), coordinate: Some(own) });
@@ -143,37 +149,18 @@ impl JointBuilder<'_> {
         }
     }
 
-    /// Adds friction in proportion to the reaction of a hinge about an axis. The first equations of the joint are those of the
-    /// position and of the axis.
-    pub(super) fn rub_on_pin(&mut self, coordinate: usize, axis: Vector3<f64>, actions: &JointActions<'_>) {
-        let Some(friction) = actions.friction.filter(|friction| friction.coefficient > 0.0) else { return };
-        let bearing = Bearing::Pin {
-            normals: Box::new(normals_to(axis).map(|normal| self.b().direction(normal))),
-            radius: friction.radius.unwrap_or(0.0),
-            span: friction.span,
-            collar: friction.arm.unwrap_or(0.0),
-        };
-        self.rub(coordinate, &friction, bearing);
-    }
-
-    /// Adds friction in proportion to the reaction of a straight guide. The first equations of the joint are those of the guide.
-    pub(super) fn rub_on_guide(&mut self, coordinate: usize, actions: &JointActions<'_>) {
+    /// Adds friction in proportion to the reaction, if it has a coefficient. The first equations of the joint are those of the bearing.
+    fn rub(
+        &mut self,
+        coordinate: usize,
+        actions: &JointActions<'_>,
+        bearing: impl FnOnce(&JointFriction) -> Bearing,
+    ) {
         if let Some(friction) = actions.friction.filter(|friction| friction.coefficient > 0.0) {
-            self.rub(coordinate, &friction, Bearing::Guide { span: friction.span, arm: friction.arm });
+            let first = self.equations.multipliers.start;
+            let (coefficient, curve) = (friction.coefficient, friction.curve);
+            self.add(ReactionFriction::new(coordinate, first, bearing(&friction), coefficient, curve));
         }
-    }
-
-    /// Adds friction in proportion to the reaction of a curve.
-    pub(super) fn rub_on_curve(&mut self, coordinate: usize, actions: &JointActions<'_>) {
-        if let Some(friction) = actions.friction.filter(|friction| friction.coefficient > 0.0) {
-            self.rub(coordinate, &friction, Bearing::Curve);
-        }
-    }
-
-    fn rub(&mut self, coordinate: usize, friction: &JointFriction, bearing: Bearing) {
-        let first = self.equations.multipliers.start;
-        let (coefficient, curve) = (friction.coefficient, friction.curve);
-        self.add(ReactionFriction::new(coordinate, first, bearing, coefficient, curve));
     }
 
     /// Adds a force law of a coordinate. Laws with states or signals become terms when all joints are built. States are coordinates

@@ -53,7 +53,7 @@ pub trait JointKind: JointObject + fmt::Debug + Send + Sync {
 
     /// Force laws. By default those along the angle and the displacement.
     fn laws(&self) -> Vec<LawUse<'_>> {
-        [self.angle_actions().law, self.displacement_actions().law].into_iter().flatten().collect()
+        self.actions().into_iter().filter_map(|actions| actions.law).collect()
     }
 
     /// Mutable force laws, in the order of [`laws`](Self::laws).
@@ -79,6 +79,11 @@ pub trait JointKind: JointObject + fmt::Debug + Send + Sync {
     /// Drive, spring and friction along the displacement of the joint.
     fn displacement_actions(&self) -> JointActions<'_> {
         JointActions::default()
+    }
+
+    /// Actions along the angle and along the displacement of the joint.
+    fn actions(&self) -> [JointActions<'_>; 2] {
+        [self.angle_actions(), self.displacement_actions()]
     }
 
     /// True if a gap between the ends can be closed before the analysis, and if the second end may be a ground point.

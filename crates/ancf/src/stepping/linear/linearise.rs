@@ -5,7 +5,7 @@ use super::linear_model::{DescriptorForm, LinearModel};
 use super::tangents::Linearised;
 use crate::errors::quoted;
 use crate::initial::coordinate_units;
-use crate::joints::Joint;
+use crate::joints::JointEquations;
 use crate::stepping::inputs::InputUse;
 use crate::stepping::step_error::{StepError, argument};
 use crate::stepping::stepper::Stepper;
@@ -35,13 +35,12 @@ impl Stepper {
                 "inputs of loads only: the motion depends on the rates of an input that prescribes a motion";
             return Err(argument("linearise", format!("the drive input {}", quoted(name)), expected));
         }
-        let has_friction = |joint: &&Joint| {
-            let actions = [joint.kind().angle_actions(), joint.kind().displacement_actions()];
-            actions.iter().filter_map(|one| one.friction).any(|friction| friction.coefficient > 0.0)
+        let has_friction = |joint: &&JointEquations| {
+            joint.parts.iter().any(|part| !part.term.observed_multipliers().is_empty())
         };
-        if let Some(joint) = self.simulation.scaled.joints.iter().find(has_friction) {
+        if let Some(joint) = self.simulation.assembly.joints.iter().find(has_friction) {
             let expected = "no friction by reactions: its derivatives by them are not assembled";
-            let found = format!("the friction of joint {}", quoted(joint.name()));
+            let found = format!("the friction of joint {}", quoted(&joint.name));
             return Err(argument("linearise", found, expected));
         }
         let numbers = self.differentiable(outputs)?;

@@ -12,6 +12,7 @@ use super::strain::SectionLanes;
 use super::triangle::{VectorBlocks, lower};
 use crate::elements::{Beam24, Beam27, BeamElement};
 use crate::kinematics::{BeamShape, Interpolation, QuadraticShape};
+use crate::sections::STRAINS;
 
 /// Batch of beam elements with N vectors: A + 1 of the axis and B of each kind of section vector.
 #[derive(Debug)]
@@ -106,7 +107,7 @@ impl<const N: usize, const A: usize, const B: usize, C: LaneNumber> BatchKernel 
     }
 
     fn is_damped(&self) -> bool {
-        self.law.mass_damping != 0.0 || self.law.retardation != 0.0
+        self.law.mass_damping != 0.0 || self.law.is_viscous()
     }
 
     #[inline(always)]
@@ -136,17 +137,22 @@ impl<const N: usize, const A: usize, const B: usize, C: LaneNumber> BatchKernel 
         let mut blocks = VectorBlocks::<S, A, B>::zero(pass);
         // Viscosity adds τ D to the stiffness by v. The other terms are omitted, see `BeamStation::stiffness`.
         let squares = w.q + w.v * law.retardation;
-        if w.q != 0.0 || squares != 0.0 {
+        if w.q != 0.0 || (w.v != 0.0 && law.is_viscous()) {
             let (q, v) = (RelativeLanes::of(pass, &law.layout, at.q), self.moving(pass, at));
             let mut section = SectionLanes::new(pass);
             // The storage of the triangle contains H until the triangle is written.
             let (h, _) = k.as_chunks_mut();
             for (s, station) in law.stations.iter().enumerate() {
-                let BatchStation { weight, mix, plan, elasticity } = station;
+                let BatchStation { weight, mix, plan, elasticity, viscosity } = station;
                 self.deform(pass, s, &q, &mut section);
                 station.resultants(pass, v.as_ref(), law.retardation, weight * w.q, &mut section);
                 plan.stiffness(pass, elasticity, &mut section, weight * squares, h);
                 blocks.add(pass, mix, h, plan.reach);
+                if let Some(viscosity) = viscosity {
+                    section.n.fill(pass.zero());
+                    plan.stiffness(pass, viscosity, &mut section, weight * w.v, h);
+                    blocks.add(pass, mix, h, plan.reach);
+                }
             }
         }
         blocks.write::<N>(pass, &law.layout, k);
@@ -208,7 +214,7 @@ impl<const N: usize, const A: usize, const B: usize, C: LaneNumber> BeamBatch<N,
     /// Returns the velocities of the vectors if the elements have viscosity.
     #[inline(always)]
     fn moving<S: Simd>(&self, pass: Pass<S>, at: &LocalLanes<'_>) -> Option<RelativeLanes<S, A, B>> {
-        if self.law.retardation == 0.0 { None } else { Some(RelativeLanes::of(pass, &self.law.layout, at.v)) }
+        if self.law.is_viscous() { Some(RelativeLanes::of(pass, &self.law.layout, at.v)) } else { None }
     }
 }
 
@@ -225,16 +231,29 @@ impl<const A: usize, const B: usize, C: LaneNumber> BatchStation<A, B, C> {
     ) {
         let SectionLanes { now, middle, increment, scratch: rates, strains, n } = section;
         self.plan.strains(pass, [middle, increment], false, strains);
-        if let Some(v) = v {
-            *rates = self.mix.directors(pass, v, self.plan.reach);
-            rates.iter_mut().for_each(|rate| *rate = scaled(*rate, pass.splat(retardation)));
-            self.plan.strains(pass, [now, rates], true, strains);
+        let Some(v) = v else { return self.plan.resultants(pass, &self.elasticity, strains, factor, n) };
+        *rates = self.mix.directors(pass, v, self.plan.reach);
+        if let Some(viscosity) = &self.viscosity {
+            self.plan.resultants(pass, &self.elasticity, strains, factor, n);
+            self.plan.strains(pass, [now, rates], false, strains);
+            let mut viscous = [pass.zero(); STRAINS];
+            self.plan.resultants(pass, viscosity, strains, factor, &mut viscous);
+            n.iter_mut().zip(viscous).for_each(|(n, viscous)| *n = *n + viscous);
+            return;
         }
+        rates.iter_mut().for_each(|rate| *rate = scaled(*rate, pass.splat(retardation)));
+        self.plan.strains(pass, [now, rates], true, strains);
         self.plan.resultants(pass, &self.elasticity, strains, factor, n);
     }
 }
 
 impl<const N: usize, const A: usize, const B: usize, C: LaneNumber> BeamLaw<N, A, B, C> {
+    /// Returns true if the elements have viscosity.
+    #[inline(always)]
+    fn is_viscous(&self) -> bool {
+        self.retardation != 0.0 || self.stations[0].viscosity.is_some()
+    }
+
     /// Returns g times a factor.
     #[inline(always)]
     fn gravity<S: Simd>(&self, pass: Pass<S>, factor: f64) -> VectorLanes<S> {

@@ -5,7 +5,7 @@ use super::plan::Plan;
 use super::relative::{MixWeights, VectorLayout};
 use crate::elements::{Profile, StationLaw};
 use crate::kinematics::Interpolation;
-use crate::sections::SectionMatrix;
+use crate::sections::{STRAINS, SectionLaw, SectionMatrix};
 
 /// Common data of the profiles of a batch: shared numbers, or one number per element.
 #[derive(Clone, Debug)]
@@ -18,6 +18,7 @@ pub(crate) struct BeamLaw<const N: usize, const A: usize, const B: usize, C> {
     pub first: [C; N],
     pub gravity: [f64; 3],
     pub mass_damping: f64,
+    /// Retardation time of all strains; zero with viscous coefficients of the stations.
     pub retardation: f64,
 }
 
@@ -29,6 +30,8 @@ pub(crate) struct BatchStation<const A: usize, const B: usize, C> {
     pub plan: Arc<Plan>,
     /// Coefficients D_kl in the order of the plan.
     pub elasticity: Vec<C>,
+    /// Coefficients of the viscous law if its retardation times differ.
+    pub viscosity: Option<Vec<C>>,
 }
 
 impl<const N: usize, const A: usize, const B: usize, C: LaneNumber> BeamLaw<N, A, B, C> {
@@ -36,18 +39,22 @@ impl<const N: usize, const A: usize, const B: usize, C: LaneNumber> BeamLaw<N, A
     pub fn new<S: Interpolation<N>>(profiles: &[&Profile<N>]) -> Option<Self> {
         let (layout, first) = (VectorLayout::new(&S::KINDS), profiles[0]);
         let mut stations: Vec<BatchStation<A, B, C>> = Vec::new();
+        let is_uniform = first.retardation.common().is_some();
         for s in 0..first.stations.len() {
             let forms = profiles.iter().map(|profile| match &profile.stations[s].law {
                 StationLaw::Quadratic(law) => Some(law.form()),
                 StationLaw::Hyperelastic(_) => None,
             });
             let forms: Vec<SectionMatrix> = forms.collect::<Option<_>>()?;
-            let plan = Plan::new(&forms);
+            let viscous = if is_uniform { Vec::new() } else { viscous_forms(profiles, s) };
+            let plan = Plan::new(&[forms.clone(), viscous.clone()].concat());
             let known = stations.iter().map(|station| &station.plan).find(|known| ***known == plan);
             let plan = known.map_or_else(|| Arc::new(plan.clone()), Arc::clone);
-            let entries = numbers(forms.iter().map(|form| plan.coefficients(form).collect()).collect());
-            let mix = mix(profiles, s, &layout);
-            stations.push(BatchStation { weight: first.stations[s].weight, mix, plan, elasticity: entries });
+            let entries =
+                |forms: &[SectionMatrix]| numbers(forms.iter().map(|form| plan.coefficients(form).collect()));
+            let (elasticity, viscosity) = (entries(&forms), (!is_uniform).then(|| entries(&viscous)));
+            let (weight, mix) = (first.stations[s].weight, mix(profiles, s, &layout));
+            stations.push(BatchStation { weight, mix, plan, elasticity, viscosity });
         }
         let lower = (0..N).flat_map(|a| (0..=a).map(move |b| (a, b)));
         let of = |a: usize, b: usize| profiles.iter().map(move |profile| profile.mass[a][b]);
@@ -61,13 +68,20 @@ impl<const N: usize, const A: usize, const B: usize, C: LaneNumber> BeamLaw<N, A
             first: std::array::from_fn(moment),
             gravity: first.gravity.into(),
             mass_damping: first.mass_damping,
-            retardation: first.retardation,
+            retardation: first.retardation.common().unwrap_or(0.0),
         })
     }
 }
 
+/// Returns the viscous forms of the profiles at a station.
+fn viscous_forms<const N: usize>(profiles: &[&Profile<N>], station: usize) -> Vec<SectionMatrix> {
+    let form = |profile: &&Profile<N>| profile.stations[station].viscosity.as_ref().map(SectionLaw::form);
+    profiles.iter().map(|profile| form(profile).unwrap_or([[0.0; STRAINS]; STRAINS])).collect()
+}
+
 /// Packs the numbers of each element.
-fn numbers<C: LaneNumber>(elements: Vec<Vec<f64>>) -> Vec<C> {
+fn numbers<C: LaneNumber>(elements: impl Iterator<Item = Vec<f64>>) -> Vec<C> {
+    let elements: Vec<Vec<f64>> = elements.collect();
     let of = |k: usize| C::of(&elements.iter().map(|numbers| numbers[k]).collect::<Vec<_>>());
     (0..elements[0].len()).map(of).collect()
 }

@@ -101,7 +101,7 @@ impl CableBatch {
         stretch: &StretchLanes<S>,
         v: &Line<S>,
     ) -> Lane<S> {
-        let tau = self.profile.damping().retardation;
+        let tau = self.profile.damping().stretch;
         if tau == 0.0 {
             return stretch.strain;
         }
@@ -155,7 +155,7 @@ impl BatchKernel for CableBatch {
     #[inline(always)]
     fn add_residual<S: Simd>(&self, pass: Pass<S>, at: &LocalLanes<'_>, r: &mut [Lanes]) {
         let (profile, q, v) = (&*self.profile, line(pass, at.q), line(pass, at.v));
-        let (section, tau) = (profile.section(), profile.damping().retardation);
+        let (section, tau) = (profile.section(), profile.damping().bending);
         let mut force = [pass.zeros(); 3];
         for station in profile.axial() {
             let stretch = self.stretch(pass, station, &q);
@@ -190,7 +190,8 @@ impl BatchKernel for CableBatch {
     fn set_tangent<S: Simd>(&self, pass: Pass<S>, at: &LocalLanes<'_>, w: Weights, k: &mut [Lanes]) {
         let (profile, q, v) = (&*self.profile, line(pass, at.q), line(pass, at.v));
         let mut blocks = VectorBlocks::<S, 3, 0>::zero(pass);
-        if w.q != 0.0 || w.v * profile.damping().retardation != 0.0 {
+        let CableDamping { stretch, bending, .. } = profile.damping();
+        if w.q != 0.0 || w.v * (stretch + bending) != 0.0 {
             for station in profile.axial() {
                 self.add_axial(pass, station, [&q, &v], w, &mut blocks);
             }
@@ -262,8 +263,7 @@ impl CableBatch {
         w: Weights,
         blocks: &mut VectorBlocks<S, 3, 0>,
     ) {
-        let (rigidity, tau) =
-            (self.profile.section().axial * station.weight, self.profile.damping().retardation);
+        let (rigidity, tau) = (self.profile.section().axial * station.weight, self.profile.damping().stretch);
         let stretch = self.stretch(pass, station, q);
         let n = self.retarded_strain(pass, station, &stretch, v) * pass.splat(rigidity * w.q);
         let n = n * stretch.shortness;
@@ -291,7 +291,7 @@ impl CableBatch {
         blocks: &mut VectorBlocks<S, 3, 0>,
     ) {
         let rigidity = self.profile.section().bending * station.weight;
-        let (tau, bend) = (self.profile.damping().retardation, self.bend(pass, station, q));
+        let (tau, bend) = (self.profile.damping().bending, self.bend(pass, station, q));
         let mut h = bend.hessian(pass, rigidity * w.q);
         if tau != 0.0 {
             let rate = self.rate(pass, station, &bend, v);

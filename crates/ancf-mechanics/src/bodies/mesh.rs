@@ -177,7 +177,11 @@ impl BeamMesh {
             line_density: density * moments.area,
         };
         let profile = CableProfile::new(BeamShape { length, slope }, section, gravity)
-            .with_damping(CableDamping { retardation, mass: mass_damping })
+            .with_damping(CableDamping {
+                stretch: retardation.stretch,
+                bending: retardation.bending,
+                mass: mass_damping,
+            })
             .with_rule(CableRule::Lobatto);
         let profile = Arc::new(profile);
         let reference = nodes

@@ -9,7 +9,7 @@ use nalgebra::{Matrix3, Vector3};
 use super::station::{BeamStation, RelativeVectors, StrainEnergy};
 use super::station_products::StationBlocks;
 use crate::kinematics::{BeamShape, Interpolation, QuadraticShape, relative_rotation};
-use crate::sections::NO_STIFFNESS;
+use crate::sections::{DeformationFactors, NO_STIFFNESS};
 
 /// Common data of congruent elements: quadrature points with their elasticity, inertia and body force.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,8 +22,8 @@ pub struct Profile<const N: usize> {
     pub(crate) gravity: Vector3<f64>,
     /// Rate α of the mass-proportional damping α M v.
     pub(crate) mass_damping: f64,
-    /// Retardation time τ.
-    pub(crate) retardation: f64,
+    /// Retardation times τ.
+    pub(crate) retardation: DeformationFactors,
 }
 
 impl<const N: usize> Profile<N> {

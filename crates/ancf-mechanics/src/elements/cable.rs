@@ -28,7 +28,7 @@ pub(crate) const CRUSHED: f64 = 0.01;
 ///
 /// # Damping
 ///
-/// Kelvin-Voigt damping with the retardation time τ: N = EA (ε + τ ε̇) and M = EI (κ + τ κ°), with κ = r′ × r″/|r′|².
+/// Kelvin-Voigt damping with the retardation times τ: N = EA (ε + τ ε̇) and M = EI (κ + τ κ°), with κ = r′ × r″/|r′|².
 /// The rate κ° refers to a frame that follows the tangent without spin about it. The dissipation function
 /// ½τ∫(EA ε̇² + EI |κ°|²) dx is half the dissipated power. It is smooth and never negative. It damps small vibrations
 /// about any shape as in the linear theory.
@@ -331,7 +331,7 @@ impl Cable12 {
         v: &[Vector3<f64>; 4],
         w: Weights,
     ) -> Matrix3<f64> {
-        let (rigidity, tau) = (self.profile.section().axial, self.profile.damping().retardation);
+        let (rigidity, tau) = (self.profile.section().axial, self.profile.damping().stretch);
         let stretch = self.stretch(station, q);
         let n = self.profile.axial_force(&stretch, &station.first(v));
         stretch.stiffness(rigidity * (w.q + w.v * tau), w.q * n)
@@ -345,7 +345,7 @@ impl Cable12 {
         v: &[Vector3<f64>; 4],
         w: Weights,
     ) -> BendBlocks {
-        let (rigidity, tau) = (self.profile.section().bending, self.profile.damping().retardation);
+        let (rigidity, tau) = (self.profile.section().bending, self.profile.damping().bending);
         let bend = self.bend(station, q);
         let stiffness = bend.hessian().scaled(w.q * rigidity);
         if tau == 0.0 {
@@ -360,7 +360,7 @@ impl Cable12 {
 impl Cable12 {
     /// Bounds the rounding error of N t.
     fn axial_rounding(&self, station: &CableStation, q: &[Vector3<f64>; 4], v: &[Vector3<f64>; 4]) -> f64 {
-        let (rigidity, tau) = (self.profile.section().axial, self.profile.damping().retardation);
+        let (rigidity, tau) = (self.profile.section().axial, self.profile.damping().stretch);
         let (u, rate) = (station.first(q).norm(), station.first(v));
         let stretch = self.stretch(station, q);
         let ([du, _], [drate, _]) = (station.rounding(q), station.rounding(v));
@@ -378,7 +378,7 @@ impl Cable12 {
         q: &[Vector3<f64>; 4],
         v: &[Vector3<f64>; 4],
     ) -> [f64; 2] {
-        let (rigidity, tau) = (self.profile.section().bending, self.profile.damping().retardation);
+        let (rigidity, tau) = (self.profile.section().bending, self.profile.damping().bending);
         let ([du, db], [da_rate, db_rate]) = (station.rounding(q), station.rounding(v));
         let (a, b) = ((self.direction + station.first(q)).norm(), station.second(q).norm());
         let [a_rate, b_rate] = station.both(v).map(|x| x.norm());

@@ -52,8 +52,10 @@ pub struct CableSection {
 /// Damping of a cable.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct CableDamping {
-    /// Retardation time τ of the Kelvin-Voigt material: stress E (strain + τ × strain rate).
-    pub retardation: f64,
+    /// Retardation time τ of the axial force EA (ε + τ ε̇).
+    pub stretch: f64,
+    /// Retardation time τ of the moment EI (κ + τ κ°).
+    pub bending: f64,
     /// Factor α of the force α M v, 1/time: drag of the medium, not invariant under a moving frame.
     pub mass: f64,
 }
@@ -204,12 +206,12 @@ impl CableProfile {
 
     /// Returns N = EA (ε + τ ε̇) for the rate of a.
     pub(crate) fn axial_force(&self, stretch: &AxialStretch, rate: &Vector3<f64>) -> f64 {
-        let retarded = self.damping.retardation * stretch.tangent.dot(rate);
+        let retarded = self.damping.stretch * stretch.tangent.dot(rate);
         self.section.axial * (stretch.strain + retarded)
     }
 
     /// Returns EI (β + τβ°) for the rates of a and b.
     pub(crate) fn moment(&self, bend: &Bend, rates: &[Vector3<f64>; 2]) -> Vector3<f64> {
-        (bend.strain() + bend.rate(rates) * self.damping.retardation) * self.section.bending
+        (bend.strain() + bend.rate(rates) * self.damping.bending) * self.section.bending
     }
 }

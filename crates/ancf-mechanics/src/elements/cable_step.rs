@@ -3,7 +3,7 @@
 use ancf_solver::equations::{LocalStep, Weights};
 use nalgebra::{Matrix3, Vector3};
 
-use super::cable_profile::{CableProfile, CableStation};
+use super::cable_profile::{CableDamping, CableProfile, CableStation};
 use crate::kinematics::{AxialStretch, Bend};
 
 /// Step of one cable element with its data.
@@ -21,14 +21,15 @@ pub(super) fn vectors(x: &[f64]) -> [Vector3<f64>; 4] {
 impl CableStep<'_> {
     /// Adds the forces of a step: elastic ones with discrete derivatives, and viscous ones in its middle.
     pub(super) fn add_forces(&self, force: &mut [Vector3<f64>; 4]) {
-        let (profile, step, tau) = (self.profile, self.step, self.profile.damping().retardation);
+        let (profile, step) = (self.profile, self.step);
+        let CableDamping { stretch: stretching, bending, .. } = profile.damping();
         let (q, v) = (vectors(step.middle.q), vectors(step.middle.v));
         for station in profile.axial() {
             let (n, stretch) = self.stretch_of_step(station);
             let mut of_a = stretch.tangent * n;
-            if tau != 0.0 {
+            if stretching != 0.0 {
                 let tangent = AxialStretch::new(self.direction, &station.first(&q)).tangent;
-                of_a += tangent * (tau * profile.section().axial * tangent.dot(&station.first(&v)));
+                of_a += tangent * (stretching * profile.section().axial * tangent.dot(&station.first(&v)));
             }
             for (force, s) in force.iter_mut().zip(station.first) {
                 *force += of_a * (station.weight * s);
@@ -36,9 +37,10 @@ impl CableStep<'_> {
         }
         for station in profile.bending() {
             let [mut of_a, mut of_b] = self.bending_of_step(station);
-            if tau != 0.0 {
+            if bending != 0.0 {
                 let bend = Bend::new(self.direction + station.first(&q), station.second(&q));
-                let [a, b] = bend.force(&(bend.rate(&station.both(&v)) * (tau * profile.section().bending)));
+                let [a, b] =
+                    bend.force(&(bend.rate(&station.both(&v)) * (bending * profile.section().bending)));
                 (of_a, of_b) = (of_a + a, of_b + b);
             }
             for (i, force) in force.iter_mut().enumerate() {
@@ -61,7 +63,7 @@ impl CableStep<'_> {
 
     /// Returns a symmetric tangent of the axial force of a step by r′.
     pub(super) fn axial_stiffness(&self, station: &CableStation, w: Weights) -> Matrix3<f64> {
-        let (rigidity, tau) = (self.profile.section().axial, self.profile.damping().retardation);
+        let (rigidity, tau) = (self.profile.section().axial, self.profile.damping().stretch);
         let (n, stretch) = self.stretch_of_step(station);
         let stretch = AxialStretch { tangent: stretch.tangent.normalize(), ..stretch };
         let retarded = tau * rigidity * stretch.tangent.dot(&station.first(&vectors(self.step.middle.v)));

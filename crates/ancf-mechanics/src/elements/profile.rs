@@ -3,7 +3,9 @@ use nalgebra::Vector3;
 use super::beam::Profile;
 use super::station::{BeamStation, DirectorWeights, RelativeVectors, StationLaw};
 use crate::kinematics::{BeamShape, Interpolation, QuadraticShape, VectorKind, gauss, gauss2, lobatto3};
-use crate::sections::{CrossSection, DIRECTORS, Directors, Lame, Moments, NeoHookean, SectionLaw, straight};
+use crate::sections::{
+    CrossSection, DIRECTORS, DeformationFactors, Directors, Lame, Moments, NeoHookean, SectionLaw, straight,
+};
 
 /// Material, damping and gravity of a beam.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -14,8 +16,8 @@ pub struct BeamMaterial {
     pub neo_hookean: bool,
     /// Density ρ.
     pub density: f64,
-    /// Retardation time τ of the Kelvin-Voigt model: stresses follow from the strains E + τ dE/dt.
-    pub retardation: f64,
+    /// Retardation times τ of the Kelvin-Voigt model.
+    pub retardation: DeformationFactors,
     /// Rate α of the mass-proportional damping α M v.
     pub mass_damping: f64,
     /// Acceleration of gravity.
@@ -37,9 +39,10 @@ pub enum TwoNodeLaw {
     Linked,
 }
 
-/// Quadrature point with its elastic law, a function of ξ, reference directors and section.
+/// Quadrature point with its law.
 type LawPoint<'a> = (f64, f64, &'a SectionLawFn<'a>);
-type SectionLawFn<'a> = dyn Fn(f64, &Directors, &CrossSection) -> SectionLaw + 'a;
+/// Law as a function of ξ, reference directors, section and factors of its parts.
+type SectionLawFn<'a> = dyn Fn(f64, &Directors, &CrossSection, &DeformationFactors) -> SectionLaw + 'a;
 
 fn at<'a>(rule: &[(f64, f64)], law: &'a SectionLawFn<'a>) -> Vec<LawPoint<'a>> {
     rule.iter().map(|&(xi, w)| (xi, w, law)).collect()
@@ -48,8 +51,14 @@ fn at<'a>(rule: &[(f64, f64)], law: &'a SectionLawFn<'a>) -> Vec<LawPoint<'a>> {
 impl Profile<8> {
     /// Creates the profile of a straight prismatic beam in the continuum formulation.
     pub fn new(shape: BeamShape, lame: Lame, density: f64, moments: Moments, gravity: Vector3<f64>) -> Self {
-        let medium =
-            BeamMaterial { lame, neo_hookean: false, density, retardation: 0.0, mass_damping: 0.0, gravity };
+        let medium = BeamMaterial {
+            lame,
+            neo_hookean: false,
+            density,
+            retardation: DeformationFactors::default(),
+            mass_damping: 0.0,
+            gravity,
+        };
         let section = CrossSection {
             moments,
             inertia: [moments.yy, moments.zz],
@@ -75,28 +84,31 @@ impl Profile<8> {
         formulation: TwoNodeLaw,
     ) -> Self {
         let (lame, length) = (medium.lame, shape.length);
-        let continuum = |_: f64, g0: &Directors, section: &CrossSection| match is_straight(g0) {
-            true => SectionLaw::continuum(lame, section.moments),
-            false => SectionLaw::curved(lame, section, g0),
-        };
+        let continuum =
+            |_: f64, g0: &Directors, section: &CrossSection, factors: &DeformationFactors| match is_straight(
+                g0,
+            ) {
+                true => SectionLaw::continuum(lame, section.moments).times(factors.section),
+                false => SectionLaw::curved(lame, section, g0).times(factors.section),
+            };
         let middle = gauss().into_iter().find(|&(xi, _)| xi == 0.5).map_or(1.0, |(_, weight)| weight);
-        let enhanced = |xi: f64, g0: &Directors, section: &CrossSection| {
-            let law = SectionLaw::enhanced(lame, section, g0);
+        let enhanced = |xi: f64, g0: &Directors, section: &CrossSection, factors: &DeformationFactors| {
+            let law = SectionLaw::enhanced(lame, section, g0, factors);
             if xi != 0.5 {
                 return law;
             }
-            law.plus(&SectionLaw::gradient(lame, section, g0).times(1.0 / middle))
+            law.plus(&SectionLaw::gradient(lame, section, g0).times(factors.section / middle))
         };
-        let linked = |xi: f64, g0: &Directors, section: &CrossSection| {
-            let rod = SectionLaw::rod(lame, section, g0).linked(xi, length);
-            let shear = SectionLaw::shear(lame, section, g0);
-            let nodal = shear.plus(&SectionLaw::transverse(lame, section, g0));
+        let linked = |xi: f64, g0: &Directors, section: &CrossSection, factors: &DeformationFactors| {
+            let rod = SectionLaw::rod(lame, section, g0, factors).linked(xi, length);
             // Simpson's weights at the nodes are 1/6, and those of the trapezoidal rule 1/2. The weight in the middle is 2/3.
             if xi == 0.5 {
-                let variation = SectionLaw::axial_variation(lame, section);
-                rod.plus(&SectionLaw::gradient(lame, section, g0).plus(&variation).times(1.5))
+                let variation = SectionLaw::axial_variation(lame, section).times(1.5 * factors.stretch);
+                rod.plus(&SectionLaw::gradient(lame, section, g0).times(1.5 * factors.section))
+                    .plus(&variation)
             } else {
-                rod.plus(&nodal.times(3.0))
+                let shear = SectionLaw::shear(lame, section, g0).times(3.0 * factors.shear);
+                rod.plus(&shear).plus(&SectionLaw::transverse(lame, section, g0).times(3.0 * factors.section))
             }
         };
         let rule = match formulation {
@@ -126,12 +138,13 @@ impl Profile<9> {
         medium: &BeamMaterial,
     ) -> Self {
         let lame = medium.lame;
-        let rod = |_: f64, g0: &Directors, section: &CrossSection| {
-            let shear = SectionLaw::shear(lame, section, g0);
-            SectionLaw::rod(lame, section, g0).plus(&shear).plus(&SectionLaw::gradient(lame, section, g0))
+        let rod = |_: f64, g0: &Directors, section: &CrossSection, factors: &DeformationFactors| {
+            SectionLaw::rod(lame, section, g0, factors)
+                .plus(&SectionLaw::shear(lame, section, g0).times(factors.shear))
+                .plus(&SectionLaw::gradient(lame, section, g0).times(factors.section))
         };
-        let transverse = |xi: f64, g0: &Directors, section: &CrossSection| {
-            SectionLaw::transverse(lame, section, g0).reduced(xi)
+        let transverse = |xi: f64, g0: &Directors, section: &CrossSection, factors: &DeformationFactors| {
+            SectionLaw::transverse(lame, section, g0).times(factors.section).reduced(xi)
         };
         let mut rule = at(&gauss2(), &rod);
         rule.extend(at(&lobatto3(), &transverse));
@@ -159,11 +172,14 @@ impl<const N: usize> Profile<N> {
             };
             let mut g0 = snapped_straight(relative.directors::<S>(&parts(DIRECTORS)), shape.length());
             let section = section(xi);
-            let quadratic = law(xi, &g0, &section);
+            let quadratic = law(xi, &g0, &section, &DeformationFactors::ELASTIC);
             // Unused directors are set to zero.
             let reach = quadratic.reach().max(5);
             g0[reach..].fill(Vector3::zeros());
-            let viscosity = (medium.retardation != 0.0).then(|| quadratic.times(medium.retardation));
+            let viscosity = match medium.retardation.common() {
+                Some(time) => (time != 0.0).then(|| quadratic.times(time)),
+                None => Some(law(xi, &g0, &section, &medium.retardation)),
+            };
             let law = if medium.neo_hookean {
                 StationLaw::Hyperelastic(NeoHookean::new(medium.lame, section.points))
             } else {

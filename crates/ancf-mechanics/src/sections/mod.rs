@@ -1,10 +1,12 @@
 //! Elasticity of cross-sections: rod laws and continuum laws integrated over the section.
 
+mod deformation_factors;
 mod hyperelastic;
 mod rod_law;
 mod section_law;
 mod section_strains;
 
+pub use deformation_factors::DeformationFactors;
 pub use hyperelastic::{NeoHookean, SectionPoint};
 pub use rod_law::{CrossSection, Moments};
 pub(crate) use rod_law::{linked_strain_terms, local_strain, straight};

@@ -1,5 +1,6 @@
 use nalgebra::{Matrix3, SMatrix, Vector3};
 
+use super::deformation_factors::DeformationFactors;
 use super::hyperelastic::SectionPoint;
 use super::section_law::{Directors, Lame, STRAINS, SectionLaw, SectionMatrix, Strains};
 use super::section_strains::*;
@@ -75,22 +76,65 @@ impl SectionLaw {
     /// Source: Gerstmayr, Matikainen & Mikkola (2008), Nachbagauer, Gruber & Gerstmayr (2013) for Poisson's effect on
     /// the axis only and the shear factors. The split into parts that are never negative is specific to this
     /// implementation.
-    pub fn enhanced(material: Lame, section: &CrossSection, g0: &Directors) -> Self {
-        let shear = Self::shear(material, section, g0);
-        Self::rod(material, section, g0).plus(&shear).plus(&Self::transverse(material, section, g0))
+    pub fn enhanced(
+        material: Lame,
+        section: &CrossSection,
+        g0: &Directors,
+        factors: &DeformationFactors,
+    ) -> Self {
+        Self::rod(material, section, g0, factors)
+            .plus(&Self::shear(material, section, g0).times(factors.shear))
+            .plus(&Self::transverse(material, section, g0).times(factors.section))
     }
 
     /// Creates the law of tension, bending and torsion: ½(∫E E₁₁² dA + GJ κ²).
     ///
     /// The fibres have the modulus E. The twist κ = ½(∫y 2E₁₃ dA/∫y² dA − ∫z 2E₁₂ dA/∫z² dA) is the mean rate of
-    /// rotation of both section directions.
-    pub fn rod(material: Lame, section: &CrossSection, g0: &Directors) -> Self {
+    /// rotation of both section directions. The factors are those of stretch, bending and torsion.
+    pub fn rod(material: Lame, section: &CrossSection, g0: &Directors, factors: &DeformationFactors) -> Self {
+        let torsion = Self::torsion(material, section, g0).times(factors.torsion);
+        if factors.stretch == factors.bending {
+            return Self::fibres(material, section, g0).times(factors.stretch).plus(&torsion);
+        }
+        let stretch = Self::stretch(material, section, g0).times(factors.stretch);
+        stretch.plus(&Self::bending(material, section, g0).times(factors.bending)).plus(&torsion)
+    }
+
+    /// Creates the law of tension and bending, ½∫E E₁₁² dA.
+    fn fibres(material: Lame, section: &CrossSection, g0: &Directors) -> Self {
+        let mut d = NONE;
+        for point in &section.points {
+            let (rows, volume) = local_strains(g0, point.y, point.z);
+            add_product(&rows[0], &rows[0], point.weight * volume * material.young(), &mut d);
+        }
+        Self::new(&d)
+    }
+
+    /// Creates the law of tension, ½EA ε², where ε is the mean axial strain of the section.
+    fn stretch(material: Lame, section: &CrossSection, g0: &Directors) -> Self {
+        let ((mean, area), mut d) = (mean_axial_strain(section, g0), NONE);
+        add_product(&mean, &mean, material.young() * area, &mut d);
+        Self::new(&d)
+    }
+
+    /// Creates the law of bending, ½∫E (E₁₁ − ε)² dA, where ε is the mean axial strain of the section.
+    fn bending(material: Lame, section: &CrossSection, g0: &Directors) -> Self {
+        let ((mean, _), mut d) = (mean_axial_strain(section, g0), NONE);
+        for point in &section.points {
+            let (rows, volume) = local_strains(g0, point.y, point.z);
+            let row = std::array::from_fn(|k| rows[0][k] - mean[k]);
+            add_product(&row, &row, point.weight * volume * material.young(), &mut d);
+        }
+        Self::new(&d)
+    }
+
+    /// Creates the law of torsion, ½GJ κ², with the twist κ of [`rod`](Self::rod).
+    fn torsion(material: Lame, section: &CrossSection, g0: &Directors) -> Self {
         let (m, mut d, mut area, mut twist) = (section.moments, NONE, 0.0, [0.0; STRAINS]);
         for point in &section.points {
             let (rows, volume) = local_strains(g0, point.y, point.z);
             let weight = point.weight * volume;
             area += weight;
-            add_product(&rows[0], &rows[0], weight * material.young(), &mut d);
             for k in 0..STRAINS {
                 twist[k] += 0.5 * weight * (point.y / m.yy * rows[4][k] - point.z / m.zz * rows[3][k]);
             }
@@ -260,6 +304,17 @@ fn full(material: Lame, m: Moments) -> SectionMatrix {
         set(i, j, value);
     }
     d
+}
+
+/// Returns the mean axial strain of a section, as a row over the section strains, and the area ∫det F₀ dA.
+fn mean_axial_strain(section: &CrossSection, g0: &Directors) -> (StrainRow, f64) {
+    let (mut area, mut mean) = (0.0, [0.0; STRAINS]);
+    for point in &section.points {
+        let (rows, volume) = local_strains(g0, point.y, point.z);
+        area += point.weight * volume;
+        mean.iter_mut().zip(&rows[0]).for_each(|(mean, x)| *mean += point.weight * volume * x);
+    }
+    (mean.map(|x| x / area), area)
 }
 
 fn add_product(x: &StrainRow, y: &StrainRow, factor: f64, d: &mut SectionMatrix) {

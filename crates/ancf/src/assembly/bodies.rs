@@ -94,7 +94,7 @@ impl IndexedModel<'_> {
             lame: material.lame(),
             neo_hookean: material.law == MaterialLaw::NeoHookean,
             density: material.density,
-            retardation: material.damping.strain,
+            retardation: material.damping.retardation(),
             mass_damping: material.damping.mass,
             gravity: Vector3::from(self.gravity),
         };

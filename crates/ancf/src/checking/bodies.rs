@@ -174,6 +174,19 @@ pub(crate) fn formulations(model: &IndexedModel<'_>) -> Vec<Finding> {
                 ..error.rests_on([format!("{path}.material"), "materials".into()])
             });
         }
+        if beam.formulation.is_continuum() && material.is_some_and(|m| m.damping.is_by_kind()) {
+            let expected =
+                "a rod's formulation, or `damping.strain` alone: a continuum has one retardation time";
+            let error = finding(
+                format!("{path}.formulation"),
+                "\"continuum\" with retardation times by kind",
+                expected,
+            );
+            findings.push(Finding {
+                absence: true,
+                ..error.rests_on([format!("{path}.material"), "materials".into()])
+            });
+        }
         if let (Some(start), Some(end)) = (
             model.sections.get(&beam.section),
             beam.section_end.as_ref().and_then(|end| model.sections.get(end)),

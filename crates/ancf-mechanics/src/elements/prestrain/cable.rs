@@ -53,7 +53,7 @@ impl CablePrestrain {
     }
 
     fn retardation(&self) -> f64 {
-        self.element.profile.damping().retardation
+        self.element.profile.damping().stretch
     }
 
     /// Returns the part −EA (ε⁰ + τ ε̇⁰) of the axial force.

@@ -59,12 +59,18 @@ pub(super) fn layers(model: &IndexedModel<'_>, path: &str, layup: Layup<'_>) -> 
     findings
 }
 
-fn rule_of_layer(key: String, name: &str, material: &Material, first: Option<&Material>) -> Option<Finding> {
+/// Returns what shells do not support of a material, with what is expected.
+pub(super) fn unsupported(material: &Material) -> Option<[&'static str; 2]> {
     if material.law == MaterialLaw::NeoHookean {
-        let expected = "one whose law is \"st_venant_kirchhoff\"";
-        return Some(
-            finding(key, "a neo-Hookean material of a shell", expected).rests_on(["materials".into()]),
-        );
+        return Some(["a neo-Hookean material of a shell", "one whose law is \"st_venant_kirchhoff\""]);
+    }
+    let found = "a material of a shell with retardation times by kind of deformation";
+    material.damping.is_by_kind().then_some([found, "one with `damping.strain` alone"])
+}
+
+fn rule_of_layer(key: String, name: &str, material: &Material, first: Option<&Material>) -> Option<Finding> {
+    if let Some([found, expected]) = unsupported(material) {
+        return Some(finding(key, found, expected).rests_on(["materials".into()]));
     }
     first.is_some_and(|first| first.damping != material.damping).then(|| {
         let expected = "the damping of the first layer: a shell has one `damping`";

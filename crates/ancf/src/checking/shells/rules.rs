@@ -7,8 +7,8 @@ use crate::errors::{Finding, finding, number, quoted};
 use crate::joints::{ClampedGradients, End, Joint};
 use crate::loads::Load;
 use crate::model::{
-    At, Body, IndexedModel, Layup, MaterialLaw, Place, Shell, ShellSurface, joints_of, loads_of,
-    shear_shells_of, shells_of,
+    At, Body, IndexedModel, Layup, Place, Shell, ShellSurface, joints_of, loads_of, shear_shells_of,
+    shells_of,
 };
 
 /// Largest angle of an element of a surface of revolution. Beyond it, the interpolated surface differs from it by more than 0.1 %.
@@ -54,10 +54,8 @@ fn rule_of_material(model: &IndexedModel<'_>, path: &str, shell: Layup<'_>) -> O
         let expected = "the name of a material, a key of `materials`";
         return Some(finding(key, quoted(shell.material), expected).rests_on(["materials".into()]));
     };
-    (material.law == MaterialLaw::NeoHookean).then(|| {
-        let expected = "one whose law is \"st_venant_kirchhoff\"";
-        finding(key, "a neo-Hookean material of a shell", expected).rests_on(["materials".into()])
-    })
+    let [found, expected] = laminates::unsupported(material)?;
+    Some(finding(key, found, expected).rests_on(["materials".into()]))
 }
 
 /// Checks that the surface is regular, and that its elements are not too large for its curvature.

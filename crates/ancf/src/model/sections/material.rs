@@ -1,4 +1,4 @@
-use ancf_mechanics::sections::Lame;
+use ancf_mechanics::sections::{DeformationFactors, Lame};
 use ancf_mechanics::shells::PlyElasticity;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -74,16 +74,56 @@ pub struct Damping {
     #[unit(time)]
     #[schemars(extend("minimum" = 0))]
     pub strain: f64,
+    /// Retardation time of the mean axial strain, time; `strain` by default. Only for beams without `formulation = "continuum"` and cables.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[unit(time)]
+    #[schemars(extend("minimum" = 0))]
+    pub stretch: Option<f64>,
+    /// Retardation time of bending, time; `strain` by default. Only for beams as above and cables.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[unit(time)]
+    #[schemars(extend("minimum" = 0))]
+    pub bending: Option<f64>,
+    /// Retardation time of the shear of beams, time; `strain` by default. Only for beams as above.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[unit(time)]
+    #[schemars(extend("minimum" = 0))]
+    pub shear: Option<f64>,
+    /// Retardation time of the torsion of beams, time; `strain` by default. Only for beams as above.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[unit(time)]
+    #[schemars(extend("minimum" = 0))]
+    pub torsion: Option<f64>,
     /// Rate α of the mass-proportional damping, 1/time. The force per mass is −α v.
     #[unit(1 / time)]
     #[schemars(extend("minimum" = 0))]
     pub mass: f64,
 }
 
+impl Damping {
+    /// Returns true if a kind of deformation has a retardation time of its own.
+    pub(crate) fn is_by_kind(&self) -> bool {
+        [self.stretch, self.bending, self.shear, self.torsion].iter().any(Option::is_some)
+    }
+
+    /// Returns the retardation times of a beam or cable.
+    pub(crate) fn retardation(&self) -> DeformationFactors {
+        let of = |time: Option<f64>| time.unwrap_or(self.strain);
+        DeformationFactors {
+            stretch: of(self.stretch),
+            shear: of(self.shear),
+            bending: of(self.bending),
+            torsion: of(self.torsion),
+            section: self.strain,
+        }
+    }
+}
+
 impl Material {
     /// Elastic material without damping.
     pub const fn elastic(density: f64, young: f64, poisson: f64) -> Self {
-        let damping = Damping { strain: 0.0, mass: 0.0 };
+        let damping =
+            Damping { strain: 0.0, stretch: None, bending: None, shear: None, torsion: None, mass: 0.0 };
         Self { density, young, poisson, orthotropic: None, law: MaterialLaw::StVenantKirchhoff, damping }
     }
 

@@ -11,7 +11,7 @@ use ancf::model::{Body, Cable, Damping, InitialMotion, MaterialLaw, Section, Slo
 use ancf::solver::equations::{Batch, Energy, LANES, Lanes, Level, LocalLanes, Power, Term, Weights};
 use nalgebra::{DMatrix, DVector, Vector3};
 
-use crate::common::models::beams::{BeamCase, beam_cases};
+use crate::common::models::beams::{BY_KIND, BeamCase, beam_cases};
 use crate::common::models::{parse, rod};
 use crate::common::random::Random;
 use crate::common::sample::{Sample, residual, tangent};
@@ -84,29 +84,36 @@ fn joints() -> impl Iterator<Item = BatchCase> {
     kinds.into_iter().map(|(name, joint)| jointed(name, &joint))
 }
 
-/// Beams of all kinds except neo-Hookean ones: undamped, with strain damping, with strain and mass damping.
+/// Beams of all kinds except neo-Hookean ones: undamped, with strain damping, with mass damping too, with times by kind.
 fn beams(gravity: Vector3<f64>) -> impl Iterator<Item = BatchCase> {
-    let dampings = [(0.0, 0.0), (0.2, 0.0), (0.2, 0.7)].map(|(strain, mass)| Damping { strain, mass });
+    let dampings = [(0.0, 0.0), (0.2, 0.0), (0.2, 0.7)]
+        .map(|(strain, mass)| Damping { strain, mass, ..Damping::default() })
+        .into_iter()
+        .chain([BY_KIND]);
     let beams = beam_cases().into_iter().filter(|beam| beam.law == MaterialLaw::StVenantKirchhoff);
-    beams.flat_map(move |beam| dampings.map(|damping| BeamCase { damping, ..beam.clone() })).map(
-        move |beam| {
-            let mut model = beam.model(gravity);
-            rod::beam(&mut model).elements = ELEMENTS;
-            case(beam.to_string(), &model)
-        },
-    )
+    let of = move |beam: BeamCase| {
+        let supported = |damping: &Damping| beam.supports(damping);
+        let cases = dampings.clone().filter(supported).map(|damping| BeamCase { damping, ..beam.clone() });
+        cases.collect::<Vec<_>>()
+    };
+    beams.flat_map(of).map(move |beam| {
+        let mut model = beam.model(gravity);
+        rod::beam(&mut model).elements = ELEMENTS;
+        case(beam.to_string(), &model)
+    })
 }
 
 /// Cables along x and in space: undamped, with strain damping, with strain and mass damping.
 fn cables(gravity: Vector3<f64>) -> Vec<BatchCase> {
     let mut cases = Vec::new();
     for to in [[1.4, 0.0, 0.0], [0.5, -0.9, 1.1]] {
-        for (strain, mass) in [(0.0, 0.0), (0.3, 0.0), (0.3, 0.5)] {
+        for (strain, bending, mass) in [(0.0, None, 0.0), (0.3, None, 0.0), (0.3, Some(0.1), 0.5)] {
             for slopes in [Slopes::Gradient, Slopes::Length] {
                 let mut model = rod::free(1);
                 model.gravity = gravity.into();
                 let material = rod::material(&mut model);
-                (material.density, material.young, material.damping) = (2.0, 30.0, Damping { strain, mass });
+                (material.density, material.young) = (2.0, 30.0);
+                material.damping = Damping { strain, bending, mass, ..Damping::default() };
                 model.sections.insert("circle".into(), Section::circle(0.3));
                 let cable = Cable {
                     name: "rod".into(),
@@ -121,7 +128,10 @@ fn cables(gravity: Vector3<f64>) -> Vec<BatchCase> {
                 };
                 model.bodies = vec![Body::Cable(cable)];
                 model.probes.clear();
-                cases.push(case(format!("cable to {to:?}, {strain}, {mass}, {slopes:?}"), &model));
+                cases.push(case(
+                    format!("cable to {to:?}, {strain}, {bending:?}, {mass}, {slopes:?}"),
+                    &model,
+                ));
             }
         }
     }

@@ -179,7 +179,7 @@ fn damping_at_rest_is_rayleigh_damping() {
         let rest = Sample::rest(&term);
         let of = |w| tangent(&term, &rest, w);
         let damping = of(Weights { q: 0.0, v: 1.0, a: 0.0 });
-        let rayleigh = of(Weights::STIFFNESS) * DAMPING.retardation + of(Weights::MASS) * DAMPING.mass;
+        let rayleigh = of(Weights::STIFFNESS) * DAMPING.bending + of(Weights::MASS) * DAMPING.mass;
         assert!((&damping - rayleigh).amax() < 1e-14 * damping.amax(), "{name}");
     }
 }
@@ -224,7 +224,7 @@ fn only_spin_of_bent_sections_dissipates_in_rigid_motions() {
                     * (a.cross(&b) / a.norm_squared()).norm_squared()
                     * omega.dot(&a.normalize()).powi(2)
             };
-            let expected = VISCOUS.retardation * SECTION.bending * bending.iter().map(spin).sum::<f64>();
+            let expected = VISCOUS.bending * SECTION.bending * bending.iter().map(spin).sum::<f64>();
             let power = dissipation(&cable, &at);
             assert!((power - expected).abs() < 1e-12, "{}: {power} and {expected}", cable.name);
 

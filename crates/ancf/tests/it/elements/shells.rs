@@ -222,6 +222,7 @@ fn unsupported_combinations_are_rejected() {
         ("thickness = 0.01", "thickness = 0", "bodies[0].thickness"),
         ("elements = [3, 3]", "elements = [3, 0]", "bodies[0].elements[1]"),
         ("poisson = 0.3", "poisson = 0.3, law = \"neo_hookean\"", "bodies[0].material"),
+        ("poisson = 0.3", "poisson = 0.3, damping = { bending = 1e-3 }", "bodies[0].material"),
         ("material = \"m\"", "material = \"n\"", "bodies[0].material"),
         ("condition = \"clamped\"", "condition = \"guided\"", "joints[0].axes"),
         ("at = { edge = \"u_start\" }", "at = [0, 0]", "joints[0].a.at"),

@@ -1,6 +1,6 @@
 //! Elastic laws of sections: continuum by points and by moments of area, rods in closed form, twisted and curved references.
 
-use ancf::mechanics::sections::{CrossSection, Directors, SectionLaw};
+use ancf::mechanics::sections::{CrossSection, DeformationFactors, Directors, SectionLaw};
 use ancf::model::Section;
 use nalgebra::{Rotation3, Vector3};
 
@@ -104,7 +104,10 @@ fn rotations_do_not_change_the_energy() {
         let cross = cross_section(section.clone());
         for g0 in random_references(&mut random) {
             let laws = |g0: &Directors| {
-                [SectionLaw::curved(LAME, &cross, g0), SectionLaw::enhanced(LAME, &cross, g0)]
+                [
+                    SectionLaw::curved(LAME, &cross, g0),
+                    SectionLaw::enhanced(LAME, &cross, g0, &DeformationFactors::ELASTIC),
+                ]
             };
             let (u, r) = (random_directors(&mut random, 0.3), Rotation3::new(random.vector3() * 3.0));
             let turned = |g: &Directors| rotated(r, g);
@@ -129,7 +132,7 @@ fn rod_energies_have_closed_forms() {
     let poisson = 0.5 * LAME.lambda / (LAME.lambda + LAME.shear);
     for section in SECTIONS {
         let (m, cross) = (section.moments(), cross_section(section.clone()));
-        let law = SectionLaw::enhanced(LAME, &cross, &straight());
+        let law = SectionLaw::enhanced(LAME, &cross, &straight(), &DeformationFactors::ELASTIC);
         // Energy of the suppressed contraction at the axial strain ε.
         let sides = |strain: f64| 2.0 * (LAME.lambda + LAME.shear) * m.area * (poisson * strain).powi(2);
         let axial = |strain: f64| 0.5 * young * m.area * strain * strain + sides(strain);
@@ -163,7 +166,7 @@ fn curved_rods_have_the_stiffness_of_winkler() {
     let zero = Vector3::zeros();
     let g0 = directors([Vector3::x(), Vector3::x() * -curvature, zero, Vector3::y(), Vector3::z()]);
     for section in SECTIONS {
-        let law = SectionLaw::rod(LAME, &cross_section(section.clone()), &g0);
+        let law = SectionLaw::rod(LAME, &cross_section(section.clone()), &g0, &DeformationFactors::ELASTIC);
         let small = 1e-6;
         let moment = |power: i32| {
             continuum::integrate_section(section.clone(), |[y, _]| y.powi(power) / (1.0 - curvature * y))
@@ -174,6 +177,51 @@ fn curved_rods_have_the_stiffness_of_winkler() {
         for (u, expected) in cases.iter().zip([moment(0), moment(2)]) {
             let energy = law.energy(&g0, u) / (0.5 * young * small * small);
             assert!((energy / expected - 1.0).abs() < 2e-6, "{section:?}: {energy} and {expected}");
+        }
+    }
+}
+
+/// Laws of stretch, bending and torsion alone sum to the rod law. Each vanishes in the deformations of the others.
+#[test]
+fn parts_of_a_rod_law_are_separate() {
+    let (zero, small) = (Vector3::zeros(), 1e-6);
+    let only = |k: usize| {
+        let mut factors = [0.0; 3];
+        factors[k] = 1.0;
+        let [stretch, bending, torsion] = factors;
+        DeformationFactors { stretch, bending, torsion, ..DeformationFactors::default() }
+    };
+    for section in SECTIONS {
+        let cross = cross_section(section.clone());
+        let laws = [0, 1, 2].map(|k| SectionLaw::rod(LAME, &cross, &straight(), &only(k)));
+        let whole = SectionLaw::rod(LAME, &cross, &straight(), &DeformationFactors::ELASTIC);
+        // Strain of the axis, curvatures about z and y, twist.
+        let x = Vector3::x() * small;
+        let twist = [zero, Vector3::z() * small, Vector3::y() * -small, zero, zero, zero, zero];
+        let deformations = [
+            [x, zero, zero, zero, zero, zero, zero],
+            [zero, x, zero, zero, zero, zero, zero],
+            [zero, zero, x, zero, zero, zero, zero],
+            twist,
+        ];
+        for (u, owner) in deformations.iter().zip([0, 1, 1, 2]) {
+            let energies = laws.each_ref().map(|law| law.energy(&straight(), u));
+            let expected = whole.energy(&straight(), u);
+            for (k, energy) in energies.iter().enumerate() {
+                let expected = if k == owner { expected } else { 0.0 };
+                // The quadratic parts of the strains are of the order of the deformation.
+                assert!(
+                    (energy - expected).abs() < 1e-5 * whole.energy(&straight(), u),
+                    "{section:?}: {energies:?}"
+                );
+            }
+        }
+        let mut random = Random(3);
+        for _ in 0..5 {
+            let u = std::array::from_fn(|i| if i < 5 { random.vector3() * 0.3 } else { zero });
+            let sum: f64 = laws.iter().map(|law| law.energy(&straight(), &u)).sum();
+            let expected = whole.energy(&straight(), &u);
+            assert!((sum / expected - 1.0).abs() < 1e-12, "{section:?}: {sum} and {expected}");
         }
     }
 }

@@ -20,7 +20,7 @@ use super::joint_terms::joint_terms;
 use super::kind::TermKind;
 use super::shear_shells::shear_shell_terms;
 use super::shells::shell_terms;
-use crate::common::models::beams::{BeamCase, beam_cases};
+use crate::common::models::beams::{BY_KIND, BeamCase, beam_cases};
 use crate::common::models::cables;
 
 /// Term under test.
@@ -32,9 +32,14 @@ pub(super) struct TermCase {
 
 /// Beams of every formulation, without and with damping.
 fn beams(gravity: Vector3<f64>) -> impl Iterator<Item = TermCase> {
-    let damped = |case: &BeamCase| BeamCase { damping: Damping { strain: 0.2, mass: 0.7 }, ..case.clone() };
+    let damped = |case: &BeamCase| BeamCase {
+        damping: Damping { strain: 0.2, mass: 0.7, ..Damping::default() },
+        ..case.clone()
+    };
     let cases = beam_cases();
-    let damped: Vec<BeamCase> = cases.iter().filter(|case| case.tilted).map(damped).collect();
+    let mut damped: Vec<BeamCase> = cases.iter().filter(|case| case.tilted).map(damped).collect();
+    let by_kind = |case: &BeamCase| BeamCase { damping: BY_KIND, ..case.clone() };
+    damped.extend(cases.iter().filter(|case| case.tilted && case.supports(&BY_KIND)).map(by_kind));
     cases.into_iter().chain(damped).map(move |case| {
         let kind = match (case.damping == Damping::default(), case.law) {
             (true, MaterialLaw::StVenantKirchhoff) => TermKind::Polynomial,
@@ -48,8 +53,12 @@ fn beams(gravity: Vector3<f64>) -> impl Iterator<Item = TermCase> {
 
 /// Cables without and with damping.
 fn cable_elements(gravity: Vector3<f64>) -> impl Iterator<Item = TermCase> {
-    let dampings =
-        [(CableDamping::default(), TermKind::Smooth), (cables::DAMPING, TermKind::IncompleteStiffness)];
+    let by_kind = CableDamping { stretch: 0.1, ..cables::DAMPING };
+    let dampings = [
+        (CableDamping::default(), TermKind::Smooth),
+        (cables::DAMPING, TermKind::IncompleteStiffness),
+        (by_kind, TermKind::IncompleteStiffness),
+    ];
     dampings.into_iter().flat_map(move |(damping, kind)| {
         let case =
             move |cable: cables::Cable| TermCase { name: cable.name, term: Box::new(cable.term), kind };

@@ -9,6 +9,7 @@ use ancf::mechanics::elements::{BeamMaterial, TwoNodeLaw};
 use ancf::mechanics::forces::Force;
 use ancf::mechanics::functions::Function;
 use ancf::mechanics::kinematics::{Marker, ReferenceNode};
+use ancf::mechanics::sections::DeformationFactors;
 use ancf::model::{Material, Section};
 use ancf::solver::equations::Term;
 use nalgebra::{DVector, Rotation3, Vector3};
@@ -29,7 +30,7 @@ pub(super) fn mesh(first: usize, origin: Vector3<f64>, rotation: Rotation3<f64>)
         lame,
         neo_hookean: false,
         density: 2.0,
-        retardation: 0.0,
+        retardation: DeformationFactors::default(),
         mass_damping: 0.0,
         gravity: Vector3::zeros(),
     };

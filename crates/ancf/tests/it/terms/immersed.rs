@@ -7,6 +7,7 @@ use ancf::mechanics::elements::{BeamMaterial, TwoNodeLaw};
 use ancf::mechanics::fluid::{FlowField, HydroSection, MorisonLoad};
 use ancf::mechanics::functions::Function;
 use ancf::mechanics::kinematics::ReferenceNode;
+use ancf::mechanics::sections::DeformationFactors;
 use ancf::model::{Material, Section};
 use nalgebra::{Rotation3, Vector3};
 
@@ -20,7 +21,7 @@ pub(super) fn meshes() -> Vec<(&'static str, BeamMesh)> {
         lame: Material::elastic(2.0, 30.0, 0.3).lame(),
         neo_hookean: false,
         density: 2.0,
-        retardation: 0.0,
+        retardation: DeformationFactors::default(),
         mass_damping: 0.0,
         gravity: Vector3::zeros(),
     };

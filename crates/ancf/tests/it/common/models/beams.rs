@@ -50,6 +50,11 @@ impl BeamCase {
         }
     }
 
+    /// Returns true if the formulation supports a damping.
+    pub(crate) fn supports(&self, damping: &Damping) -> bool {
+        self.formulation != Formulation::Continuum || damping.bending.is_none()
+    }
+
     /// Model with E = 30, ρ = 2, under gravity.
     pub(crate) fn model(&self, gravity: Vector3<f64>) -> Model {
         let turn =
@@ -178,6 +183,16 @@ const SECTIONS: [Section; 5] = [
         mass_iz: Some(5e-4),
     }),
 ];
+
+/// Strong damping with a retardation time for each kind of deformation.
+pub(crate) const BY_KIND: Damping = Damping {
+    strain: 0.2,
+    stretch: Some(0.1),
+    bending: Some(0.3),
+    shear: Some(0.05),
+    torsion: Some(0.4),
+    mass: 0.0,
+};
 
 /// Returns all combinations of formulation, section, Poisson's ratio, slope length and frame: straight, curved, tapered.
 ///

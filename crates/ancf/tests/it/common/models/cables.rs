@@ -11,7 +11,7 @@ pub(crate) const LENGTH: f64 = 0.7;
 /// Section of a stubby element, so that all parts of the energy are of one magnitude.
 pub(crate) const SECTION: CableSection = CableSection { axial: 2.0, bending: 0.3, line_density: 0.14 };
 /// Strong damping, so that all parts of the force are of one magnitude.
-pub(crate) const DAMPING: CableDamping = CableDamping { retardation: 0.3, mass: 0.5 };
+pub(crate) const DAMPING: CableDamping = CableDamping { stretch: 0.3, bending: 0.3, mass: 0.5 };
 
 /// Cable element with its reference coordinates.
 pub(crate) struct Cable {

@@ -109,6 +109,91 @@ fn strain_damping_of_a_beam_has_its_closed_form() {
     }
 }
 
+/// Damping ratios of the modes of a cantilever with retardation times.
+fn ratios_of_kinds(damping: &str, formulation: &str) -> Vec<f64> {
+    let model = parse(&format!(
+        r#"
+materials.m = {{ density = 1000, young = 1e9, damping = {{ {damping} }} }}
+sections.round = {{ kind = "rectangle", height = 0.1, width = 0.08 }}
+bodies = [{{ kind = "beam", name = "beam", from = [0, 0, 0], to = [1, 0, 0], elements = 4, section = "round", material = "m", formulation = "{formulation}" }}]
+joints = [{{ kind = "clamp", name = "root", a = {{ body = "beam", at = "start" }} }}]
+[analysis]
+kind = "modes"
+count = 8
+damped = true
+"#
+    ));
+    Run::of(&model).column("damping_ratio").to_vec()
+}
+
+/// Each kind of deformation has the damping of its own time: ζ = Σ_k τ_k ω U_k/2U with the strain energies U_k of a mode.
+#[test]
+fn retardation_times_by_kind_add_up() {
+    for formulation in ["linked", "enhanced", "quadratic"] {
+        let of = |damping: &str| ratios_of_kinds(damping, formulation);
+        let all = of("strain = 1e-6");
+        let section = "strain = 1e-6, stretch = 0, bending = 0, shear = 0, torsion = 0";
+        let kinds =
+            ["stretch = 1e-6", "bending = 1e-6", "shear = 1e-6", "torsion = 1e-6", section].map(of);
+        for (mode, all) in all.iter().enumerate() {
+            let shares = kinds.each_ref().map(|ratios| ratios[mode] / all);
+            let sum: f64 = shares.iter().sum();
+            assert!((sum - 1.0).abs() < 1e-6, "{formulation} {mode}: {shares:?}");
+            let [stretch, bending, shear, torsion, section] = shares;
+            assert!(section < 1e-4, "{formulation} {mode}: {shares:?}");
+            // Modes of tension and torsion have one kind of strain, modes of bending two: more shear at higher frequencies.
+            let is_pure = stretch.max(torsion) > 1.0 - 1e-4;
+            let is_bending = stretch.max(torsion) < 1e-4 && bending > 0.5 && shear > 1e-3;
+            assert!(is_pure || is_bending, "{formulation} {mode}: {shares:?}");
+        }
+        let has = |kind: usize| all.iter().enumerate().any(|(mode, all)| kinds[kind][mode] > 0.999 * all);
+        assert!(has(0) && has(3), "{formulation}: {kinds:?}");
+    }
+}
+
+/// Massless short cantilever with a tip mass: shear has the share (L/kGA)/(L/kGA + L³/3EI) of the energy.
+#[test]
+fn damping_of_shear_has_its_share_of_the_energy() {
+    let run = Run::of(&parse(
+        r#"
+materials.m = { density = 1e-6, young = 1e6, damping = { shear = 1e-4 } }
+sections.s = { kind = "general", area = 0.01, iy = 1e-5, iz = 1e-5, ky = 0.5, kz = 0.5 }
+[[bodies]]
+kind = "beam"
+name = "beam"
+from = [0, 0, 0]
+to = [0.2, 0, 0]
+elements = 4
+section = "s"
+material = "m"
+[[bodies]]
+kind = "mass"
+name = "tip"
+center = [0.2, 0, 0]
+mass = 1
+[[joints]]
+kind = "clamp"
+name = "root"
+a = { body = "beam", at = "start" }
+[[joints]]
+kind = "spherical"
+name = "end"
+a = { body = "beam", at = "end" }
+b = { body = "tip", at = "center" }
+[analysis]
+kind = "modes"
+count = 1
+damped = true
+"#,
+    ));
+    let (length, young, area, inertia) = (0.2_f64, 1e6, 0.01, 1e-5);
+    let [shear, bending] = [length / (0.5 * 0.5 * young * area), length.powi(3) / (3.0 * young * inertia)];
+    let omega = (1.0 / (shear + bending)).sqrt();
+    let expected = 0.5 * 1e-4 * omega * shear / (shear + bending);
+    let found = run.column("damping_ratio")[0];
+    assert!((found / expected - 1.0).abs() < 1e-3, "{found} not {expected}");
+}
+
 /// Real eigenvalues accumulate at −1/τ: only the modes below are known, and a warning says so.
 #[test]
 fn accumulating_eigenvalues_are_reported() {

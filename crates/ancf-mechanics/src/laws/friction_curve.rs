@@ -23,6 +23,13 @@ impl FrictionCurve {
         (v / self.creep).tanh() * self.excess(v)
     }
 
+    /// Returns g/v, which is regular at zero.
+    pub fn ratio(&self, v: f64) -> f64 {
+        let x = v / self.creep;
+        let of_tanh = if x.abs() < 1e-4 { 1.0 - x * x / 3.0 } else { x.tanh() / x };
+        of_tanh / self.creep * self.excess(v)
+    }
+
     /// Returns dg/dv.
     pub fn slope(&self, v: f64) -> f64 {
         let ratio = v / self.creep;
@@ -46,6 +53,7 @@ mod tests {
                 let h = 1e-6;
                 let difference = (curve.at(v + h) - curve.at(v - h)) / (2.0 * h);
                 assert!((curve.slope(v) - difference).abs() < 1e-7 * (1.0 + difference.abs()), "{v}");
+                assert!((curve.ratio(v) * v - curve.at(v)).abs() < 1e-15, "{v}");
             }
         }
         assert!((FrictionCurve { creep: 0.1, peak: 1.6, decay: 0.5 }.at(9.0) - 1.0).abs() < 1e-15);

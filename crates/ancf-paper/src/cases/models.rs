@@ -7,7 +7,7 @@ use ancf::Model;
 use ancf::model::{
     Analysis, At, Beam, Body, Clamp, ClampedGradients, Dynamics, End, EnergyGuard, Formulation, Initial,
     Joint, Material, NamedPosition, NewtonMethod, Output, Place, Probe, Revolute, ScaleChoice, Scheme,
-    Section, Slopes, Spherical, Start,
+    Section, Slopes, Start,
 };
 use serde::Serialize;
 
@@ -85,7 +85,7 @@ impl PaperCase {
                 moment: None,
                 stops: None,
             }),
-            Self::Spherical => Joint::Spherical(Spherical { name, a, b }),
+            Self::Spherical => Joint::spherical(&name, a, b),
         };
         let (slopes, scales) = match form {
             EquationForm::Dimensional => (Slopes::Gradient, ScaleChoice::None),

@@ -1,7 +1,7 @@
 //! Rejects friction in equilibria, whose friction forces depend on the motion that led to them.
 
 use crate::errors::{Finding, finding, number};
-use crate::joints::{Joint, JointFriction};
+use crate::joints::Joint;
 use crate::model::{About, Analysis, IndexedModel, joints_of};
 
 /// Checks that contacts and joints have friction in analyses with a motion only.
@@ -24,11 +24,9 @@ pub(crate) fn friction(model: &IndexedModel<'_>) -> Vec<Finding> {
     let contacts = model.contacts.iter().enumerate();
     let of_contacts =
         contacts.filter_map(|(i, contact)| rule(format!("contacts[{i}].friction"), contact.friction));
-    let of_joints = joints_of(model).flat_map(|(path, joint)| {
-        let amounts = joint.kind().actions().into_iter().filter_map(|actions| actions.friction);
-        let amount = |friction: JointFriction| friction.amount.max(friction.coefficient);
-        let rules = amounts.filter_map(|friction| rule(format!("{path}.friction"), amount(friction)));
-        rules.collect::<Vec<_>>()
+    let of_joints = joints_of(model).filter_map(|(path, joint)| {
+        let friction = joint.kind().friction()?;
+        rule(format!("{path}.friction"), friction.amount.max(friction.coefficient))
     });
     of_contacts.chain(of_joints).collect()
 }
@@ -37,34 +35,36 @@ pub(crate) fn friction(model: &IndexedModel<'_>) -> Vec<Finding> {
 pub(crate) fn friction_of_joints(model: &IndexedModel<'_>) -> Vec<Finding> {
     let mut findings = Vec::new();
     for (path, joint) in joints_of(model) {
-        for (actions, is_angle) in joint.kind().actions().iter().zip([true, false]) {
-            let Some(friction) = actions.friction else { continue };
-            let key = |key: &str| format!("{path}.friction.{key}");
-            let missing = |key: String, found: &str, expected: &str| Finding {
-                absence: true,
-                ..finding(key, found, expected)
-            };
-            let by_reaction = friction.coefficient > 0.0;
-            if is_angle && by_reaction && friction.radius.is_none() {
-                let expected = "the radius of the pin, on which the reaction acts";
-                findings.push(missing(key("radius"), "no radius beside a coefficient", expected));
-            }
-            if friction.curve.peak > 1.0 && !friction.has_decay {
-                let expected = "the rate over which friction falls from its peak";
-                findings.push(missing(key("decay"), "no decay beside a peak", expected));
-            }
-            let acts = actions.drive.is_some() || actions.spring.is_some() || actions.law.is_some();
-            let is_slide = matches!(joint, Joint::Slide(_));
-            if by_reaction && is_slide && (acts || actions.stops.is_some() || friction.amount > 0.0) {
-                let expected =
-                    "0, or a slide without other forces along the beam, which its reaction contains";
-                findings.push(finding(key("coefficient"), number(friction.coefficient), expected));
-            }
-            if by_reaction && model.output.errors {
-                let expected = "false with friction by reactions, whose errors are not estimated";
-                let error = finding("output.errors".into(), "true", expected);
-                findings.push(error.rests_on([format!("{path}.friction")]));
-            }
+        let (kind, actions) = (joint.kind(), joint.kind().displacement_actions());
+        let Some(friction) = kind.friction() else { continue };
+        let key = |key: &str| format!("{path}.friction.{key}");
+        let missing = |key: String, found: &str, expected: &str| Finding {
+            absence: true,
+            ..finding(key, found, expected)
+        };
+        let (by_reaction, keys) = (friction.coefficient > 0.0, kind.bearing_keys());
+        if keys.contains(&"radius") && by_reaction && friction.radius.is_none() {
+            let expected = "the radius of the pin or ball, on which the reaction acts";
+            findings.push(missing(key("radius"), "no radius beside a coefficient", expected));
+        }
+        for (name, length) in friction.lengths().filter(|(name, _)| !keys.contains(name)) {
+            let expected = format!("no `{name}`: the friction of a {} does not depend on it", kind.noun());
+            findings.push(finding(key(name), number(length), expected));
+        }
+        if friction.curve.peak > 1.0 && !friction.has_decay {
+            let expected = "the rate over which friction falls from its peak";
+            findings.push(missing(key("decay"), "no decay beside a peak", expected));
+        }
+        let acts = actions.drive.is_some() || actions.spring.is_some() || actions.law.is_some();
+        let is_slide = matches!(joint, Joint::Slide(_));
+        if by_reaction && is_slide && (acts || actions.stops.is_some() || friction.amount > 0.0) {
+            let expected = "0, or a slide without other forces along the beam, which its reaction contains";
+            findings.push(finding(key("coefficient"), number(friction.coefficient), expected));
+        }
+        if by_reaction && model.output.errors {
+            let expected = "false with friction by reactions, whose errors are not estimated";
+            let error = finding("output.errors".into(), "true", expected);
+            findings.push(error.rests_on([format!("{path}.friction")]));
         }
     }
     findings

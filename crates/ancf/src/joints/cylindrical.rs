@@ -3,8 +3,10 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::parts::measures;
+use crate::errors::{Finding, finding};
 use crate::joints::parts::{
-    AngularDrive, AngularSpring, End, JointActions, JointBuilder, JointCoordinate, JointKind, LinearDrive,
+    AngularDrive, AngularSpring, End, JointActions, JointBuilder, JointContext, JointCoordinate,
+    JointFriction, JointKind, LinearDrive, LinearFriction,
 };
 use crate::model::{Capability, JointLaw, LawKind, Place, TimeFunction};
 use crate::units::Scaled;
@@ -33,6 +35,9 @@ pub struct Cylindrical {
     /// Prescribed displacement.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub feed: Option<LinearDrive>,
+    /// Dry friction against the rotation and the displacement together: the slip at `radius` has both components.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub friction: Option<LinearFriction>,
     /// Law of a moment on `a` about the axis, by the angle x, in radians, and its rate v.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub moment: Option<JointLaw>,
@@ -68,6 +73,27 @@ impl JointKind for Cylindrical {
         builder.keep(&[(measures::GUIDE, 2), (measures::AXIS, 2)], measures);
         builder.angle(axis, &self.angle_actions());
         builder.displacement(axis, &self.displacement_actions());
+        if let Some(friction) = self.friction() {
+            builder.rub_sleeve(axis, &friction);
+        }
+    }
+
+    fn friction(&self) -> Option<JointFriction> {
+        self.friction.map(LinearFriction::law)
+    }
+
+    fn bearing_keys(&self) -> &'static [&'static str] {
+        &["radius", "span"]
+    }
+
+    fn check(&self, path: &str, _context: &dyn JointContext) -> Vec<Finding> {
+        let without = self.friction.filter(|friction| friction.radius.is_none());
+        let found = without.map(|_| {
+            let expected = "the radius of the shaft, at which the rotation slips";
+            let error = finding(format!("{path}.friction.radius"), "no radius", expected);
+            Finding { absence: true, ..error }
+        });
+        found.into_iter().collect()
     }
 
     fn needs(&self) -> [Option<(Capability, &'static str)>; 2] {

@@ -111,7 +111,7 @@ impl Joint {
 
     /// Ball joint.
     pub fn spherical(name: &str, a: Place, b: End) -> Self {
-        Self::Spherical(Spherical { name: name.into(), a, b })
+        Self::Spherical(Spherical { name: name.into(), a, b, friction: None })
     }
 
     /// Name in outputs and messages.

@@ -3,7 +3,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::parts::measures;
-use crate::joints::parts::{End, JointBuilder, JointKind};
+use crate::joints::parts::{End, JointBuilder, JointFriction, JointKind, LinearFriction};
 use crate::model::{Capability, Place};
 use crate::units::Scaled;
 
@@ -22,6 +22,9 @@ pub struct Planar {
     /// Normal of the plane in the undeformed state, in the global frame. Its magnitude has no effect.
     #[unit(none)]
     pub normal: [f64; 3],
+    /// Dry friction.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub friction: Option<LinearFriction>,
 }
 
 impl JointKind for Planar {
@@ -49,6 +52,13 @@ impl JointKind for Planar {
         let normal = Vector3::from(self.normal).normalize();
         let measures = measures::planar(builder.a(), builder.b(), normal);
         builder.keep(&[("plane", 1), ("normal", 2)], measures);
+        if let Some(friction) = self.friction() {
+            builder.rub_plane(normal, &friction);
+        }
+    }
+
+    fn friction(&self) -> Option<JointFriction> {
+        self.friction.map(LinearFriction::law)
     }
 
     fn needs(&self) -> [Option<(Capability, &'static str)>; 2] {

@@ -3,7 +3,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::parts::measures;
-use crate::joints::parts::{End, JointActions, JointBuilder, JointKind};
+use crate::joints::parts::{End, JointActions, JointBuilder, JointFriction, JointKind, LinearFriction};
 use crate::model::{Capability, Place};
 use crate::units::Scaled;
 
@@ -22,6 +22,9 @@ pub struct PointOnLine {
     /// Direction of the line in the undeformed state, in the global frame. Its magnitude has no effect.
     #[unit(none)]
     pub axis: [f64; 3],
+    /// Dry friction.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub friction: Option<LinearFriction>,
 }
 
 impl JointKind for PointOnLine {
@@ -50,6 +53,13 @@ impl JointKind for PointOnLine {
         let measures = measures::on_line(builder.a(), builder.b(), axis);
         builder.keep(&[(measures::GUIDE, 2)], measures);
         builder.displacement(axis, &JointActions::default());
+        if let Some(friction) = self.friction() {
+            builder.rub_line(axis, &friction);
+        }
+    }
+
+    fn friction(&self) -> Option<JointFriction> {
+        self.friction.map(LinearFriction::law)
     }
 
     fn needs(&self) -> [Option<(Capability, &'static str)>; 2] {

@@ -86,6 +86,10 @@ impl JointKind for Prismatic {
         self.force.iter_mut().collect()
     }
 
+    fn bearing_keys(&self) -> &'static [&'static str] {
+        &["span", "arm"]
+    }
+
     fn axes(&self) -> Vec<(&'static str, [f64; 3])> {
         vec![("axis", self.axis)]
     }

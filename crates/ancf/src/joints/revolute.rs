@@ -81,6 +81,10 @@ impl JointKind for Revolute {
         self.moment.iter_mut().collect()
     }
 
+    fn bearing_keys(&self) -> &'static [&'static str] {
+        &["radius", "span", "collar"]
+    }
+
     fn axes(&self) -> Vec<(&'static str, [f64; 3])> {
         vec![("axis", self.axis)]
     }

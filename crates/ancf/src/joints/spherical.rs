@@ -1,8 +1,8 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::joints::parts::{End, JointBuilder, JointKind};
-use crate::model::Place;
+use crate::joints::parts::{AngularFriction, End, JointBuilder, JointFriction, JointKind};
+use crate::model::{Capability, Place};
 use crate::units::Scaled;
 
 /// Ball joint: constrains the position.
@@ -17,6 +17,9 @@ pub struct Spherical {
     /// Second end; the ground by default.
     #[serde(default)]
     pub b: End,
+    /// Dry friction.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub friction: Option<AngularFriction>,
 }
 
 impl JointKind for Spherical {
@@ -38,6 +41,22 @@ impl JointKind for Spherical {
 
     fn build(&self, builder: &mut JointBuilder<'_>) {
         builder.coincide();
+        if let Some(friction) = self.friction() {
+            builder.rub_ball(&friction);
+        }
+    }
+
+    /// Friction depends on the rotation of both ends.
+    fn needs(&self) -> [Option<(Capability, &'static str)>; 2] {
+        [self.friction.map(|_| (Capability::Section, "a ball joint with friction")); 2]
+    }
+
+    fn friction(&self) -> Option<JointFriction> {
+        self.friction.map(AngularFriction::law)
+    }
+
+    fn bearing_keys(&self) -> &'static [&'static str] {
+        &["radius"]
     }
 
     fn closes(&self) -> bool {

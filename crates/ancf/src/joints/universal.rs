@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::parts::measures;
 use crate::errors::{Finding, finding};
-use crate::joints::parts::{End, JointBuilder, JointContext, JointKind};
+use crate::joints::parts::{AngularFriction, End, JointBuilder, JointContext, JointFriction, JointKind};
 use crate::model::{Capability, Place};
 use crate::units::Scaled;
 
@@ -30,6 +30,9 @@ pub struct Universal {
     /// `axis_a`.
     #[unit(none)]
     pub axis_b: [f64; 3],
+    /// Dry friction of the bearings of each arm.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub friction: Option<AngularFriction>,
 }
 
 impl JointKind for Universal {
@@ -57,6 +60,17 @@ impl JointKind for Universal {
         let arms = [self.axis_a, self.axis_b].map(|axis| Vector3::from(axis).normalize());
         let measures = measures::universal(builder.a(), builder.b(), arms);
         builder.keep(&[(measures::POSITION, 3), ("angle of the arms", 1)], measures);
+        if let Some(friction) = self.friction() {
+            builder.rub_cross(arms, &friction);
+        }
+    }
+
+    fn friction(&self) -> Option<JointFriction> {
+        self.friction.map(AngularFriction::law)
+    }
+
+    fn bearing_keys(&self) -> &'static [&'static str] {
+        &["radius", "span"]
     }
 
     fn needs(&self) -> [Option<(Capability, &'static str)>; 2] {

@@ -83,7 +83,8 @@ class AngularSpring(Part):
 @checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class AngularFriction(Part):
-    """Dry friction of a hinge with the moment −(moment + coefficient radius N) g(ω).
+    """Dry friction of a hinge, a ball joint or an arm of a cross with the moment −(moment + coefficient
+    radius N) g(ω).
 
     N is the normal force of the reaction, g(ω) = tanh(ω/rate) (1 + (peak − 1) exp(−(ω/decay)²)).
 
@@ -95,7 +96,7 @@ class AngularFriction(Part):
         Coefficient of friction of the bearing; 0 by default (>= 0).
     collar
         Mean radius of a collar that carries the reaction along the axis, length. Without it this force causes
-        no friction (> 0).
+        no friction. Of hinges (> 0).
     decay
         Angular velocity over which friction falls from its peak, radians/time. Required with a peak above 1
         (> 0).
@@ -104,11 +105,10 @@ class AngularFriction(Part):
     peak
         Ratio of the largest friction at low rates to that at high rates (Stribeck); 1 by default (>= 1).
     radius
-        Radius of the pin, on which the reaction across the axis acts, length. Required with a coefficient (>
-        0).
+        Radius of the pin or ball, on which the reaction acts, length. Required with a coefficient (> 0).
     span
         Distance of two bearings that carry the reaction moments, length. Without it these moments cause no
-        friction (> 0).
+        friction. Not of balls (> 0).
 
     """
 
@@ -174,7 +174,7 @@ class LinearSpring(Part):
 @checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class LinearFriction(Part):
-    """Dry friction of a slider with the force −(force + coefficient N) g(v).
+    """Dry friction of a slider, a shaft or a plane with the force −(force + coefficient N) g(v).
 
     N is the normal force of the reaction, g(v) = tanh(v/speed) (1 + (peak − 1) exp(−(v/decay)²)).
 
@@ -184,7 +184,7 @@ class LinearFriction(Part):
         Velocity below which friction is viscous, length/time (> 0).
     arm
         Lever arm at which the guide carries the moment about the axis, length. Without it this moment causes
-        no friction (> 0).
+        no friction. Of prismatic joints (> 0).
     coefficient
         Coefficient of friction of the guide; 0 by default (>= 0).
     decay
@@ -193,9 +193,12 @@ class LinearFriction(Part):
         Friction force without a reaction, force; 0 by default (>= 0).
     peak
         Ratio of the largest friction at low velocities to that at high ones (Stribeck); 1 by default (>= 1).
+    radius
+        Radius of a shaft that slides and turns, length. Required by cylindrical joints, and only of these (>
+        0).
     span
         Distance of two shoes that carry the reaction moments across the axis, length. Without it these
-        moments cause no friction (> 0).
+        moments cause no friction. Of prismatic and cylindrical joints (> 0).
 
     """
 
@@ -207,6 +210,7 @@ class LinearFriction(Part):
     decay: float | None = None
     force: float | None = None
     peak: float | None = None
+    radius: float | None = None
     span: float | None = None
 
 

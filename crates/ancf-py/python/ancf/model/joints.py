@@ -188,6 +188,8 @@ class Spherical(Part):
         First end, on which the reaction acts.
     b
         Second end; the ground by default.
+    friction
+        Dry friction.
 
     """
 
@@ -198,6 +200,7 @@ class Spherical(Part):
     name: str = field(kw_only=False)
     a: Place
     b: JointEnd | None = None
+    friction: AngularFriction | None = None
 
 
 @checked_arguments
@@ -258,6 +261,8 @@ class Universal(Part):
         frame. Not parallel to ``axis_a``.
     b
         Second end; the ground by default.
+    friction
+        Dry friction of the bearings of each arm.
 
     """
 
@@ -270,6 +275,7 @@ class Universal(Part):
     axis_a: Vector
     axis_b: Vector
     b: JointEnd | None = None
+    friction: AngularFriction | None = None
 
 
 @checked_arguments
@@ -293,6 +299,9 @@ class Cylindrical(Part):
         Prescribed displacement.
     force
         Law of a force on ``a`` along the axis, by the displacement x and its rate v.
+    friction
+        Dry friction against the rotation and the displacement together: the slip at ``radius`` has both
+        components.
     moment
         Law of a moment on ``a`` about the axis, by the angle x, in radians, and its rate v.
     spring
@@ -311,6 +320,7 @@ class Cylindrical(Part):
     drive: AngularDrive | None = None
     feed: LinearDrive | None = None
     force: JointLaw | None = None
+    friction: LinearFriction | None = None
     moment: JointLaw | None = None
     spring: AngularSpring | None = None
 
@@ -373,6 +383,8 @@ class Planar(Part):
         Normal of the plane in the undeformed state, in the global frame. Its magnitude has no effect.
     b
         Second end, to which the plane is fixed; the ground by default.
+    friction
+        Dry friction.
 
     """
 
@@ -384,6 +396,7 @@ class Planar(Part):
     a: Place
     normal: Vector
     b: JointEnd | None = None
+    friction: LinearFriction | None = None
 
 
 @checked_arguments
@@ -401,6 +414,8 @@ class PointOnLine(Part):
         Direction of the line in the undeformed state, in the global frame. Its magnitude has no effect.
     b
         Second end, to which the line is fixed; the ground by default.
+    friction
+        Dry friction.
 
     """
 
@@ -412,6 +427,7 @@ class PointOnLine(Part):
     a: Place
     axis: Vector
     b: JointEnd | None = None
+    friction: LinearFriction | None = None
 
 
 @checked_arguments

@@ -6,7 +6,7 @@ use ancf_mechanics::bodies::normals_to;
 use ancf_mechanics::constraints::{
     BilinearMeasure, HingeAngle, MeasureConstraint, MeasureTarget, SlideConstraint,
 };
-use ancf_mechanics::forces::{Bearing, CoordinateForce, Friction, ReactionFriction, Spring, Strut};
+use ancf_mechanics::forces::{Bearing, CoordinateForce, Friction, Slip, Spring, Strut};
 use ancf_mechanics::functions::Function;
 use ancf_mechanics::laws::{LawUnits, Resistance};
 use nalgebra::Vector3;
@@ -34,7 +34,7 @@ impl JointBuilder<'_> {
             self.add(HingeAngle::new(own, p, [u, v], multiplier));
             self.act(own, actions);
             let normals = normals_to(axis).map(|normal| self.b().direction(normal));
-            self.rub(own, actions, |friction| Bearing::Pin {
+            self.rub_along(own, actions, |friction| Bearing::Pin {
                 normals: Box::new(normals),
                 radius: friction.radius.unwrap_or(0.0),
                 span: friction.span,
@@ -70,7 +70,10 @@ impl JointBuilder<'_> {
             let tie = MeasureConstraint::defining(own, measure.clone(), multiplier);
             self.add(tie.named("definition of the displacement"));
             self.act(own, actions);
-            self.rub(own, actions, |friction| Bearing::Guide { span: friction.span, arm: friction.arm });
+            self.rub_along(own, actions, |friction| Bearing::Guide {
+                span: friction.span,
+                arm: friction.arm,
+            });
             coordinate = Some(own);
         }
         self.equations
@@ -89,7 +92,7 @@ impl JointBuilder<'_> {
             self.equations.parts.push(Part { term: Box::new(slide), reacts: k == 0 });
         }
         self.act(own, actions);
-        self.rub(own, actions, |_| Bearing::Curve);
+        self.rub_along(own, actions, |_| Bearing::Curve);
         self.equations
             .recorded
             .push(RecordedCoordinate { source: Source::Position(start), coordinate: Some(own) });
@@ -150,16 +153,17 @@ impl JointBuilder<'_> {
     }
 
     /// Adds friction in proportion to the reaction, if it has a coefficient. The first equations of the joint are those of the bearing.
-    fn rub(
+    fn rub_along(
         &mut self,
         coordinate: usize,
         actions: &JointActions<'_>,
         bearing: impl FnOnce(&JointFriction) -> Bearing,
     ) {
         if let Some(friction) = actions.friction.filter(|friction| friction.coefficient > 0.0) {
-            let first = self.equations.multipliers.start;
-            let (coefficient, curve) = (friction.coefficient, friction.curve);
-            self.add(ReactionFriction::new(coordinate, first, bearing(&friction), coefficient, curve));
+            let slip = vec![Slip::Rate(BilinearMeasure::coordinate(coordinate))];
+            // The friction without a reaction is a term of its own.
+            let by_reaction = JointFriction { amount: 0.0, ..friction };
+            self.rub(slip, bearing(&friction), &by_reaction);
         }
     }
 

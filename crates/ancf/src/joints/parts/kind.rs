@@ -6,6 +6,7 @@ use super::actions::JointActions;
 use super::builder::JointBuilder;
 use super::coupling::JointCoordinate;
 use super::end::End;
+use super::friction::JointFriction;
 use crate::errors::Finding;
 use crate::model::{Body, Capability, JointLaw, LawUse, Place, TimeFunction};
 use crate::units::{Scaled, Scales};
@@ -84,6 +85,16 @@ pub trait JointKind: JointObject + fmt::Debug + Send + Sync {
     /// Actions along the angle and along the displacement of the joint.
     fn actions(&self) -> [JointActions<'_>; 2] {
         [self.angle_actions(), self.displacement_actions()]
+    }
+
+    /// Dry friction of the joint. By default that along its angle or displacement.
+    fn friction(&self) -> Option<JointFriction> {
+        self.actions().into_iter().find_map(|actions| actions.friction)
+    }
+
+    /// Lengths of the bearing on which friction by the reaction depends: keys of `friction`.
+    fn bearing_keys(&self) -> &'static [&'static str] {
+        &[]
     }
 
     /// True if a gap between the ends can be closed before the analysis, and if the second end may be a ground point.

@@ -3,8 +3,8 @@
 use ancf::Model;
 use ancf::assembly::Assembly;
 use ancf::model::{
-    Analysis, At, Beam, Body, Clamp, End, Ground, InitialMotion, Joint, NamedPosition, Place, Probe,
-    Spherical, Start, Statics,
+    Analysis, At, Beam, Body, Clamp, End, Ground, InitialMotion, Joint, NamedPosition, Place, Probe, Start,
+    Statics,
 };
 use ancf::solver::dynamics::{SchemeCoefficients, TimeStepper, consistent_velocities};
 use ancf::solver::equations::{EquationsOfMotion, State};
@@ -126,7 +126,7 @@ fn with_gap(to: [f64; 3]) -> Model {
     let beam = rod::beam(&mut model);
     beam.formulation = ancf::model::Formulation::Linked;
     let b = End::Point(Ground { point: to });
-    model.joints.push(Joint::Spherical(Spherical { name: "far".into(), a: rod::end(), b }));
+    model.joints.push(Joint::spherical("far", rod::end(), b));
     Model { assemble: true, ..model }
 }
 
@@ -168,7 +168,7 @@ fn loose_bodies_are_moved_without_strain() {
     let second = Beam { name: "second".into(), from, to, ..rod::beam(&mut model).clone() };
     model.bodies.push(Body::Beam(second));
     let a = Place::new("second", At::Named(NamedPosition::Start));
-    model.joints.push(Joint::Spherical(Spherical { name: "elbow".into(), a, b: End::Place(rod::end()) }));
+    model.joints.push(Joint::spherical("elbow", a, End::Place(rod::end())));
     let refused = model.check().unwrap_err();
     assert!(refused[0].hint.as_ref().unwrap().ends_with("; `assemble = true` closes the gap"), "{refused}");
     model.assemble = true;

@@ -1,7 +1,7 @@
 //! Diagnosis of models: contents, mobility, loose bodies, names of equations.
 
 use ancf::model::{
-    Analysis, At, Beam, Body, End, Formulation, Joint, NamedPosition, Place, Section, Spherical, Statics,
+    Analysis, At, Beam, Body, End, Formulation, Joint, NamedPosition, Place, Section, Statics,
 };
 use ancf::record::Series;
 use ancf::{Model, Outcome, simulate};
@@ -70,7 +70,7 @@ fn locking_is_reported_with_its_size() {
 fn unconnected_bodies_are_named() {
     let mut model = with_loose_beams(rod::cantilever(1), &["alone", "one", "two"]);
     let (a, b) = (end("two", NamedPosition::Start), End::Place(end("one", NamedPosition::End)));
-    model.joints.push(Joint::Spherical(Spherical { name: "elbow".into(), a, b }));
+    model.joints.push(Joint::spherical("elbow", a, b));
     let diagnosis = model.diagnose().unwrap();
     assert_eq!(diagnosis.unconnected, ["alone"]);
     assert_eq!(diagnosis.unreached, ["one", "two"]);

@@ -2,7 +2,7 @@
 
 use ancf::Model;
 use ancf::diagnosis::RigidMotion;
-use ancf::model::{At, Beam, Body, ClampedGradients, End, Joint, NamedPosition, Place, Revolute, Spherical};
+use ancf::model::{At, Beam, Body, ClampedGradients, End, Joint, NamedPosition, Place, Revolute};
 use ancf::solver::eigen::modes;
 use ancf::solver::equations::State;
 use ancf::solver::newton::Interrupt;
@@ -83,7 +83,7 @@ fn pendulums_rotate_about_their_joints() {
 fn rod_between_two_spherical_joints_spins() {
     let mut model = rod::spherical(3);
     rod::beam(&mut model).to = [2.0, -1.0, 2.0];
-    model.joints.push(Joint::Spherical(Spherical { name: "far".into(), a: rod::end(), b: End::Ground }));
+    model.joints.push(Joint::spherical("far", rod::end(), End::Ground));
     let axis = "(0.6667, -0.3333, 0.6667)";
     assert_eq!(
         motion_names(&model),
@@ -97,7 +97,7 @@ fn clamped_and_propped_rods_have_no_free_motion() {
         assert!(motion_names(&rod::clamped(2, fix)).is_empty());
     }
     let mut propped = rod::revolute(2);
-    propped.joints.push(Joint::Spherical(Spherical { name: "far".into(), a: rod::end(), b: End::Ground }));
+    propped.joints.push(Joint::spherical("far", rod::end(), End::Ground));
     assert!(motion_names(&propped).is_empty());
 }
 
@@ -121,7 +121,7 @@ fn motions_of_a_chain_name_all_moving_bodies() {
 /// Two rods at right angles with spherical joints: one rotation of the truss about its diagonal, one spin of each rod.
 #[test]
 fn truss_rotates_about_its_diagonal() {
-    let ball = |name: &str, a, b| Joint::Spherical(Spherical { name: name.into(), a, b });
+    let ball = |name: &str, a, b| Joint::spherical(name, a, b);
     let top = ball("top", second(NamedPosition::End), End::Ground);
     let elbow = ball("elbow", second(NamedPosition::Start), End::Place(rod::end()));
     let truss = with_second(rod::spherical(2), [0.0, 2.0, 0.0], vec![elbow, top]);

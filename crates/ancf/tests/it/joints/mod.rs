@@ -4,6 +4,7 @@ mod combinations;
 mod diagnosis;
 mod drives;
 mod force_laws;
+mod friction_of_slips;
 mod generic;
 mod kinds;
 mod law_states;

@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use ancf::model::{
     Analysis, At, Beam, Body, Buckling, Clamp, ClampedGradients, DrivenClamp, End, Formulation, Ground,
-    Joint, Load, Modes, NamedPosition, Path, Place, Spherical, Statics, TimeFunction, Varying,
+    Joint, Load, Modes, NamedPosition, Path, Place, Statics, TimeFunction, Varying,
 };
 use ancf::record::Series;
 use ancf::solver::equations::dependences;
@@ -17,7 +17,7 @@ use crate::common::models::rod;
 use crate::common::solutions::{Run, distance};
 
 fn ball(name: &str, a: Place) -> Joint {
-    Joint::Spherical(Spherical { name: name.into(), a, b: End::Ground })
+    Joint::spherical(name, a, End::Ground)
 }
 
 fn clamp(name: &str, a: Place, fix: ClampedGradients) -> Joint {
@@ -205,8 +205,7 @@ fn contradicting_joints_are_rejected() {
             .starts_with("equations that contradict `root`: driven normal of the section")
     );
     let point = |point| End::Point(Ground { point });
-    let pull =
-        |name: &str, to| Joint::Spherical(Spherical { name: name.into(), a: rod::end(), b: point(to) });
+    let pull = |name: &str, to| Joint::spherical(name, rod::end(), point(to));
     let mut pulled =
         with(rod::cantilever(2), [pull("here", [0.9, 0.1, 0.0]), pull("there", [0.9, 0.2, 0.0])]);
     pulled.analysis = Analysis::Statics(Statics::default());

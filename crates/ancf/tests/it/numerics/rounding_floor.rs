@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use ancf::Model;
 use ancf::assembly::Assembly;
-use ancf::model::{At, Body, End, Joint, NamedPosition, Place, Spherical};
+use ancf::model::{At, Body, End, Joint, NamedPosition, Place};
 use ancf::solver::dynamics::{SchemeCoefficients, TimeStepper};
 use ancf::solver::equations::{Energy, Local, LocalMatrix, State, System, Term, Weights};
 use ancf::solver::newton::{Newton, StopRule};
@@ -17,7 +17,7 @@ fn two_rods() -> Model {
     let mut second = rod::beam(&mut model).clone();
     (second.name, second.from, second.to) = ("second".into(), [1.0, 0.0, 0.0], [1.0, 1.0, 0.0]);
     let a = Place::new("second", At::Named(NamedPosition::Start));
-    model.joints.push(Joint::Spherical(Spherical { name: "elbow".into(), a, b: End::Place(rod::end()) }));
+    model.joints.push(Joint::spherical("elbow", a, End::Place(rod::end())));
     model.bodies.push(Body::Beam(second));
     model
 }

@@ -6,8 +6,8 @@ use ancf::mechanics::constraints::{
     SectionDrive, SlideConstraint, TwistAngle,
 };
 use ancf::mechanics::forces::{
-    BushingMatrices, ExternalForce, FollowerForce, Force, Friction, MatrixBushing, Moment, Spring, Strut,
-    SwingSpring,
+    Bearing, BushingMatrices, ExternalForce, FollowerForce, Force, Friction, FrictionLaw, MatrixBushing,
+    Moment, ReactionFriction, Slip, Spring, Strut, SwingSpring, TurnAxis,
 };
 use ancf::mechanics::functions::{ForceFunction, Function};
 use ancf::mechanics::kinematics::{BodyVector, SectionFrame};
@@ -64,6 +64,19 @@ pub(super) fn frame_terms(a: &BeamMesh, b: &BeamMesh) -> Vec<Case> {
     let sine = || Function::Sine { frequency: 0.4, phase: 0.3 };
     let slide = SlideConstraint::along(a.element_axes(), &other, OWN, 0.31, 5).swap_remove(0);
     let ramp = Function::Ramp { start: 0.0, end: 2.0 };
+    let turn_about = |axis: TurnAxis, arm: f64| {
+        let triads = [&fa, &fb].map(|frame| axes.map(|x| BodyVector::turned(frame, x)));
+        Slip::Turn { triads: Box::new(triads), axis, arm }
+    };
+    let global = |axis: Vector3<f64>| turn_about(TurnAxis::Direction(BodyVector::fixed(axis)), 1.0);
+    let slip_of_a_ball = vec![global(Vector3::x()), global(Vector3::y()), global(Vector3::z())];
+    let slip_of_a_cross = vec![turn_about(TurnAxis::ArmOfCross(Box::new([p.clone(), v.clone()])), 1.0)];
+    let about = turn_about(TurnAxis::Direction(w.clone()), 0.7);
+    let slip_of_a_sleeve = vec![Slip::Rate(along()), about];
+    let rubbing = |slip| {
+        let law = FrictionLaw { amount: 0.4, coefficient: 0.0, curve: STRIBECK };
+        ReactionFriction::new(slip, 5, Bearing::Plane, law)
+    };
     let constraints: Vec<Case> = vec![
         (
             "frames: row of a clamp",
@@ -82,6 +95,9 @@ pub(super) fn frame_terms(a: &BeamMesh, b: &BeamMesh) -> Vec<Case> {
         ("frames: spring", Box::new(Spring::new(turn(), 2.0, 0.0)), TermKind::Smooth),
         ("frames: damped spring", Box::new(Spring::new(along(), 2.0, 0.3)), TermKind::Damped),
         ("frames: friction", Box::new(Friction::new(turn(), 0.4, STRIBECK)), TermKind::Damped),
+        ("friction of a ball", Box::new(rubbing(slip_of_a_ball)), TermKind::IncompleteStiffness),
+        ("friction of a cross", Box::new(rubbing(slip_of_a_cross)), TermKind::IncompleteStiffness),
+        ("friction of a sleeve", Box::new(rubbing(slip_of_a_sleeve)), TermKind::IncompleteStiffness),
         ("frames: strut", Box::new(Strut::new(&point, &other, 2.0, 0.7, 0.0).unstressed()), TermKind::Damped),
         (
             "frames: twist",

@@ -9,9 +9,7 @@
 use ancf::Model;
 use ancf::assembly::Assembly;
 use ancf::model;
-use ancf::model::{
-    At, Body, Clamp, ClampedGradients, End, Joint, NamedPosition, Place, Revolute, Spherical, Start,
-};
+use ancf::model::{At, Body, Clamp, ClampedGradients, End, Joint, NamedPosition, Place, Revolute, Start};
 use ancf::solver::dynamics::{SchemeCoefficients, TimeStepper, consistent_accelerations};
 use ancf::solver::equations::{EquationsOfMotion, Inadmissibility, State, Weights};
 use ancf::solver::newton::{Newton, StopRule};
@@ -55,7 +53,7 @@ fn forks() -> [(&'static str, Model); 4] {
     [
         ("clamp", branched(along, clamp(ClampedGradients::All))),
         ("clamp of the section", branched(along, clamp(ClampedGradients::Section))),
-        ("spherical", branched(along, |a, b| Joint::Spherical(Spherical { name: "fork".into(), a, b }))),
+        ("spherical", branched(along, |a, b| Joint::spherical("fork", a, b))),
         (
             "revolute",
             branched(along, |a, b| {

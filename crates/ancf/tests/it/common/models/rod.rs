@@ -6,7 +6,7 @@ use ancf::Model;
 use ancf::model::{
     Analysis, At, Beam, Body, Clamp, ClampedGradients, Dynamics, End, EnergyGuard, Formulation, Initial,
     Joint, Material, NamedPosition, NewtonMethod, Output, Place, Probe, Revolute, ScaleChoice, Scheme,
-    Section, Spherical, Start, Step, Stop,
+    Section, Start, Step, Stop,
 };
 
 /// Length L.
@@ -80,7 +80,7 @@ pub(crate) fn revolute(elements: u32) -> Model {
 
 /// Rod with a spherical joint at its start, E = 193 MPa, under gravity along −y and −z.
 pub(crate) fn spherical(elements: u32) -> Model {
-    let ball = Joint::Spherical(Spherical { name: "root".into(), a: start(), b: End::Ground });
+    let ball = Joint::spherical("root", start(), End::Ground);
     let mut model = Model { joints: vec![ball], gravity: [0.0, -GRAVITY, -GRAVITY], ..free(elements) };
     material(&mut model).young /= 1000.0;
     model

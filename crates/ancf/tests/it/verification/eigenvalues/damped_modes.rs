@@ -133,8 +133,7 @@ fn retardation_times_by_kind_add_up() {
         let of = |damping: &str| ratios_of_kinds(damping, formulation);
         let all = of("strain = 1e-6");
         let section = "strain = 1e-6, stretch = 0, bending = 0, shear = 0, torsion = 0";
-        let kinds =
-            ["stretch = 1e-6", "bending = 1e-6", "shear = 1e-6", "torsion = 1e-6", section].map(of);
+        let kinds = ["stretch = 1e-6", "bending = 1e-6", "shear = 1e-6", "torsion = 1e-6", section].map(of);
         for (mode, all) in all.iter().enumerate() {
             let shares = kinds.each_ref().map(|ratios| ratios[mode] / all);
             let sum: f64 = shares.iter().sum();

@@ -163,7 +163,13 @@ fn plain(joint: &mut Joint) {
         Joint::Revolute(joint) => (joint.spring, joint.friction, joint.drive) = (None, None, None),
         Joint::Prismatic(joint) => (joint.spring, joint.friction, joint.drive) = (None, None, None),
         Joint::Slide(joint) => (joint.spring, joint.friction, joint.drive) = (None, None, None),
-        Joint::Cylindrical(joint) => (joint.spring, joint.drive, joint.feed) = (None, None, None),
+        Joint::Cylindrical(joint) => {
+            (joint.spring, joint.drive, joint.feed, joint.friction) = (None, None, None, None);
+        }
+        Joint::Spherical(joint) => joint.friction = None,
+        Joint::Universal(joint) => joint.friction = None,
+        Joint::Planar(joint) => joint.friction = None,
+        Joint::PointOnLine(joint) => joint.friction = None,
         _ => {}
     }
 }

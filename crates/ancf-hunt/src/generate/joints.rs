@@ -43,6 +43,9 @@ pub(super) fn attach(draft: &mut Draft, own: &Spot, root: Option<&Spot>) {
         joint["b"] = b;
     }
     add_keys(draft, kind, &mut joint);
+    if own.kind.has_frame() && root.is_none_or(|root| root.kind.has_frame()) {
+        slip_friction(draft, kind, &mut joint);
+    }
     draft.joints.push(joint);
 }
 
@@ -135,6 +138,27 @@ fn add_keys(draft: &mut Draft, kind: &str, joint: &mut Value) {
         }
         _ => {}
     }
+}
+
+/// Friction of several components of slip, also by the reaction.
+fn slip_friction(draft: &mut Draft, kind: &str, joint: &mut Value) {
+    let (sizes, slips) = (draft.sizes, ["spherical", "universal", "cylindrical", "point_on_line", "planar"]);
+    if draft.is_static() || !slips.contains(&kind) || !draft.random.chance(0.3) {
+        return;
+    }
+    let (radius, rate) = (0.02 * sizes.length, 0.3 / sizes.period());
+    let mut friction = if ["spherical", "universal"].contains(&kind) {
+        json!({ "moment": rounded(0.05 * sizes.moment()), "rate": rounded(rate), "radius": rounded(radius) })
+    } else {
+        json!({ "force": rounded(0.05 * sizes.force()), "speed": rounded(rate * sizes.length) })
+    };
+    if kind == "cylindrical" {
+        friction["radius"] = rounded(radius).into();
+    }
+    if draft.random.chance(0.5) {
+        friction["coefficient"] = rounded(draft.random.within(0.05, 0.2)).into();
+    }
+    joint["friction"] = friction;
 }
 
 /// Drive, spring or friction of an angle. Statics has one of the first two.

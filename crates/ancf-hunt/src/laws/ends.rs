@@ -91,11 +91,13 @@ fn exchange(joint: &mut Joint) -> Option<Moment> {
             reversed(&mut joint.axis);
             return Some(Moment::Moved);
         }
-        Joint::Planar(joint) => {
+        // The slip is that of the first place in the plane of the second body.
+        Joint::Planar(joint) if joint.friction.is_none() => {
             swap(&mut joint.a, &mut joint.b)?;
             return Some(Moment::Moved);
         }
         Joint::Drive(_)
+        | Joint::Planar(_)
         | Joint::PointOnLine(_)
         | Joint::Slide(_)
         | Joint::Bushing(_)

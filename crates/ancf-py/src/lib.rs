@@ -13,7 +13,10 @@ use pyo3::prelude::*;
 #[pymodule]
 mod _ancf {
     #[pymodule_export]
-    use super::input::{check_part, diagnose, nearest, read, scaled, schema, substitute, to_toml};
+    use super::input::{
+        Stage, check_part, diagnose, nearest, read, scaled, schema, stages, stages_of_file, substitute,
+        to_toml,
+    };
     #[pymodule_export]
     use super::results::report::report;
     #[pymodule_export]

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import os
 import signal
+import subprocess
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -20,6 +22,17 @@ def _ctrl_c() -> Iterator[None]:
     before = signal.signal(signal.SIGINT, signal.default_int_handler)
     yield
     signal.signal(signal.SIGINT, before)
+
+
+@pytest.fixture(scope="session")
+def program() -> Path:
+    """The program `ancf`: the one that `ANCF_PROGRAM` names, else the workspace's."""
+    named = os.environ.get("ANCF_PROGRAM")
+    if named is not None:
+        return Path(named)
+    built = ROOT / "target" / "debug" / f"ancf{'.exe' if os.name == 'nt' else ''}"
+    subprocess.run(["cargo", "build", "--quiet", "--workspace", "--bins", "--examples"], cwd=ROOT, check=True)
+    return built
 
 
 @pytest.fixture

@@ -1,7 +1,10 @@
 use std::ops::Range;
 
 use ancf::Model;
-use ancf::model::{Analysis, Body, Stop};
+use ancf::model::{
+    Analysis, Body, Cylindrical, Joint, Planar, PointOnLine, Prismatic, Revolute, Slide, Spherical, Stop,
+    Universal,
+};
 
 use super::magnitudes::Magnitudes;
 use crate::run::{Record, Run, run};
@@ -36,6 +39,22 @@ impl Case {
     /// True for dynamics.
     pub fn is_dynamic(&self) -> bool {
         self.model.analysis.dynamics().is_some()
+    }
+
+    /// True if the friction of a joint is proportional to its reaction.
+    pub fn rubs_by_reaction(&self) -> bool {
+        let coefficient = |joint: &Joint| match joint {
+            Joint::Revolute(Revolute { friction, .. })
+            | Joint::Spherical(Spherical { friction, .. })
+            | Joint::Universal(Universal { friction, .. }) => friction.map(|friction| friction.coefficient),
+            Joint::Prismatic(Prismatic { friction, .. })
+            | Joint::Cylindrical(Cylindrical { friction, .. })
+            | Joint::Planar(Planar { friction, .. })
+            | Joint::PointOnLine(PointOnLine { friction, .. })
+            | Joint::Slide(Slide { friction, .. }) => friction.map(|friction| friction.coefficient),
+            _ => None,
+        };
+        self.model.joints.iter().filter_map(coefficient).any(|coefficient| coefficient > 0.0)
     }
 
     /// True for steps by error control.

@@ -71,7 +71,8 @@ pub(super) fn compare_within(
     }
     let rows = case.shared_rows(twin)?;
     let mut worst: Option<Finding> = None;
-    let is_determined = |name: &str| !case.base.is_redundant || !is_reaction(name);
+    let is_determined =
+        |name: &str| !case.base.is_redundant || !(is_reaction(name) || case.rubs_by_reaction());
     let is_compared = |name: &str| !PROCEDURE.contains(&name) && is_determined(name);
     for column in case.base.columns.iter().filter(|column| is_compared(&column.name)) {
         let (Some(dimension), Some(other)) = (dimension(column), twin.column(&column.name)) else { continue };

@@ -111,6 +111,7 @@ impl Law for MotionErrors {
         let Step::Fixed(step) = dynamics.step else { return Check::Inapplicable };
         let is_shell = |body: &Body| matches!(body, Body::Shell(_) | Body::ShearShell(_));
         let has_estimate = case.model.contacts.is_empty()
+            && !case.rubs_by_reaction()
             && !case.model.bodies.iter().any(is_shell)
             && !matches!(dynamics.scheme, Scheme::Energy | Scheme::DampedEnergy { .. });
         // An initial velocity that joints stop is an impulse, which excites all vibrations.

@@ -7,7 +7,18 @@ and returns a `Result` with NumPy arrays.
 from typing import TYPE_CHECKING
 
 from ancf import _ancf, model
-from ancf.analysis import buckling, check, load, modes, path, run, scaled, schema, statics
+from ancf.analysis import (
+    buckling,
+    check,
+    load,
+    modes,
+    path,
+    run,
+    run_sequence,
+    scaled,
+    schema,
+    statics,
+)
 from ancf.errors import AnalysisError, AnalysisWarning, Fault, ModelError
 from ancf.meshes import grid_mesh, mesh_from_meshio
 from ancf.model import *  # noqa: F403
@@ -41,6 +52,7 @@ __all__ = [
     "modes",
     "path",
     "run",
+    "run_sequence",
     "scaled",
     "schema",
     "sobol",

@@ -112,6 +112,70 @@ def run(
     return result
 
 
+def run_sequence(
+    model: ModelLike, *, callback: Callback | None = None, progress: bool | None = None
+) -> dict[str, Result]:
+    """Run a model with a list of analyses, each of which starts in the last state before it.
+
+    Parameters
+    ----------
+    model
+        The path of a model file, or data in dictionaries, whose `analysis` is a list. Data of an `ancf.Model` have
+        one by ``model.to_dict() | {"analysis": [{"name": "hang", "kind": "statics"}, ...]}``. Joints, loads, contacts
+        and other parts exist in some analyses by ``only_in`` and ``not_in``.
+    callback, progress
+        As of `run`, for each analysis.
+
+    Returns
+    -------
+    dict
+        The result of each analysis by its name, in their order. A single analysis is a list of one.
+
+    Raises
+    ------
+    ModelError
+        If a model is invalid, with all errors.
+    AnalysisError
+        If an analysis fails; `completed` has the results of those before it.
+
+    """
+    stages = _stages(model)
+    if not stages:
+        result = run(model, callback=callback, progress=progress)
+        return {result.kind: result}
+    results: dict[str, Result] = {}
+    folders: dict[str, Result] = {}
+    time = 0.0
+    for stage in stages:
+        numbers = stage.data(time)
+        simulation = _ancf.Simulation(numbers)
+        kind, duration = simulation.analysis
+        before = folders.get(Path(str(numbers.get("initial", {}).get("from", ""))).name)
+        observer = None if callback is None else CallbackObserver(callback)
+        with Bar(duration, progress) as bar:
+            try:
+                result = run_simulation(simulation, "all", observer, bar.tick, after=before)
+            except AnalysisError as error:
+                error.completed = results
+                warn(error.result)
+                raise
+        warn(result)
+        results[stage.name] = folders[stage.folder] = result
+        if kind == "dynamics":
+            time = result.summary["time"]
+        if result.summary["outcome"]["kind"] != "finished":
+            break
+    return results
+
+
+def _stages(model: ModelLike) -> list[_ancf.Stage]:
+    """Return the analyses of a model with a list of them; none of a model with a single one."""
+    if isinstance(model, (str, os.PathLike)):
+        return _ancf.stages_of_file(Path(model))
+    numbers = data(model)
+    return _ancf.stages(numbers) if isinstance(numbers.get("analysis"), (list, tuple)) else []
+
+
 def warn(result: Result | None) -> None:
     """Issue the warnings of a run. Those of a failed run may state its cause."""
     for text in [] if result is None else result.summary.get("warnings", []):
@@ -132,12 +196,13 @@ def run_simulation(
     observer: CallbackObserver | None = None,
     tick: Callable[[float], object] | None = None,
     stop: Callable[[], object] | None = None,
+    after: Result | None = None,
 ) -> Result:
     """Run a simulation. `observer` receives each row, `tick` the time now and then, `stop` is called in each iteration.
 
-    A true return value of any of them ends the run.
+    A true return value of any of them ends the run. It starts in the last state of the result `after`, if there is one.
     """
-    done = simulation.run(states, observer, tick, stop)
+    done = simulation.run(states, observer, tick, stop, None if after is None else after.states)
     kind, _ = simulation.analysis
     result = Result(
         done["columns"],
@@ -221,8 +286,14 @@ def _analysed(model: ModelLike, kind: str, settings: dict[str, Any], to: float |
 
 
 def check(model: ModelLike) -> str:
-    """Check a model and describe its parts, constraints and degrees of freedom. Raises `ModelError`."""
-    return _ancf.diagnose(data(model))
+    """Check a model and describe its parts, constraints and degrees of freedom. Raises `ModelError`.
+
+    Of a model with a list of analyses, each of them has a description under its name.
+    """
+    stages = _stages(model)
+    if not stages:
+        return _ancf.diagnose(data(model))
+    return "\n\n".join(f"analysis `{stage.name}`\n{_ancf.diagnose(stage.data(0.0))}" for stage in stages)
 
 
 def scaled(model: ModelLike) -> tuple[dict[str, Any], dict[str, float]]:

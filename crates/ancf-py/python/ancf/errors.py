@@ -53,12 +53,16 @@ class ModelError(ValueError):
 
 
 class AnalysisError(RuntimeError):
-    """A failed analysis: the text has time, reason and place of the failure, `result` the rows up to it."""
+    """A failed analysis: the text has time, reason and place of the failure, `result` the rows up to it.
+
+    `completed` has the results of the analyses before it, if it is one of several.
+    """
 
     def __init__(self, message: str, result: Result | None = None) -> None:
         """Store the message of the failure and the results up to it."""
         super().__init__(message)
         self.result = result
+        self.completed: dict[str, Result] = {}
 
     def __reduce__(self) -> tuple[object, ...]:
         # Results are not sent to other processes.

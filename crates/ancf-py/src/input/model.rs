@@ -31,7 +31,7 @@ pub(crate) fn read(py: Python<'_>, path: PathBuf) -> PyResult<Bound<'_, PyAny>> 
 
 /// Replaces paths of mesh files and results folders relative to a model file by absolute ones, because the data do not state
 /// the file.
-fn resolve_files(data: &mut Table, path: &Path) {
+pub(super) fn resolve_files(data: &mut Table, path: &Path) {
     let initial =
         data.get_mut("initial").and_then(Value::as_table_mut).and_then(|initial| initial.get_mut("from"));
     if let Some(Value::String(from)) = initial

@@ -6,7 +6,10 @@ use std::path::Path;
 use std::sync::Arc;
 
 use ancf::model::{Analysis, ModelErrors, Units};
-use ancf::{Column, Error, Model, RefinedModel, RefinementHistory, StartState, Summary, can_refine, refine};
+use ancf::{
+    Column, Error, GivenState, Model, RefinedModel, RefinementHistory, StartState, Summary, can_refine,
+    refine,
+};
 use ancf_results::given_state;
 use ancf_surface::BodySurfaces;
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
@@ -71,7 +74,9 @@ impl Simulation {
     }
 
     /// Runs the simulation and returns the results in a dictionary.
-    #[pyo3(signature = (states, callback, tick, stop=None))]
+    ///
+    /// A motion or an equilibrium starts in the last state of another run, if there is one.
+    #[pyo3(signature = (states, callback, tick, stop=None, after=None))]
     fn run<'py>(
         &self,
         py: Python<'py>,
@@ -79,9 +84,11 @@ impl Simulation {
         callback: Option<Py<PyAny>>,
         tick: Option<Py<PyAny>>,
         stop: Option<Py<PyAny>>,
+        after: Option<Py<States>>,
     ) -> PyResult<Bound<'py, PyDict>> {
         let keep = Keep::from_word(states)?;
-        let start = py.detach(|| self.start()).map_err(|errors| model_error(py, &errors, None))?;
+        let last = after.map(|states| states.get().last()).transpose()?;
+        let start = py.detach(|| self.start(last)).map_err(|errors| model_error(py, &errors, None))?;
         self.signals.begin(stop);
         let mut recorder = RunRecorder::new(self.recorded(py), keep, [callback, tick]);
         let simulation = &self.assembled.simulation;
@@ -175,9 +182,12 @@ impl Simulation {
         Ok(Self { assembled, model: data, supplied: model, history: None, units, signals })
     }
 
-    /// Reads the state of another run in which the motion starts. The results folder is relative to the current folder.
-    fn start(&self) -> Result<Option<StartState>, ModelErrors> {
-        let given = given_state(&self.supplied, Path::new(""))?;
+    /// Returns the state in which the motion starts: that of a run before it, or of a results folder relative to the current folder.
+    fn start(&self, last: Option<GivenState>) -> Result<Option<StartState>, ModelErrors> {
+        let given = match last {
+            Some(last) => Some(last),
+            None => given_state(&self.supplied, Path::new(""))?,
+        };
         given.map(|given| self.assembled.simulation.start_from(&given)).transpose()
     }
 

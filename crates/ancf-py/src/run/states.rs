@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use ancf::solver::equations::State;
-use ancf::{Fields, Simulation};
+use ancf::{Fields, GivenState, Simulation};
 use ancf_surface::BodySurfaces;
 use numpy::{PyArray1, PyArray3, PyArrayMethods};
 use pyo3::exceptions::{PyIndexError, PyMemoryError, PyValueError};
@@ -81,6 +81,15 @@ impl States {
             true
         });
         Ok(state)
+    }
+
+    /// Returns the last state, in which another run may start.
+    ///
+    /// # Errors
+    /// If complete states were not kept.
+    pub(crate) fn last(&self) -> PyResult<GivenState> {
+        let state = self.state(self.frames.len().saturating_sub(1), true)?;
+        Ok(self.simulation.given_state(&state, "the last state of the analysis before".to_owned()))
     }
 
     /// Returns all states.

@@ -20,17 +20,6 @@ import ancf
 ROOT = Path(__file__).parents[4]
 
 
-@pytest.fixture(scope="session")
-def program() -> Path:
-    """The program `ancf`: the one that `ANCF_PROGRAM` names, else the workspace's."""
-    named = os.environ.get("ANCF_PROGRAM")
-    if named is not None:
-        return Path(named)
-    built = ROOT / "target" / "debug" / f"ancf{'.exe' if os.name == 'nt' else ''}"
-    subprocess.run(["cargo", "build", "--quiet", "--workspace", "--bins", "--examples"], cwd=ROOT, check=True)
-    return built
-
-
 def start(program: Path, model: dict[str, Any], folder: Path) -> subprocess.Popen[bytes]:
     """Start the program on a model; its results go into `folder / "out"`."""
     file = folder / "model.toml"

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import csv
 import json
-import os
 import shutil
 import signal
 import subprocess
@@ -47,17 +46,6 @@ on = { body = "beam", at = "end" }
 kind = "statics"
 """
 """Pulled and bent a little, about z: y is along the height of the section."""
-
-
-@pytest.fixture(scope="session")
-def program() -> Path:
-    """The program `ancf`: the one that `ANCF_PROGRAM` names, else the workspace's."""
-    named = os.environ.get("ANCF_PROGRAM")
-    if named is None:
-        subprocess.run(
-            ["cargo", "build", "--quiet", "--workspace", "--bins", "--examples"], cwd=ROOT, check=True
-        )
-    return Path(named or ROOT / "target" / "debug" / f"ancf{'.exe' if os.name == 'nt' else ''}").resolve()
 
 
 @pytest.fixture(scope="session")

@@ -2,6 +2,7 @@ use ancf_solver::equations::{Dependence, REDUNDANCY_TOLERANCE, State};
 
 use super::assembled::Assembly;
 use super::redundant::{APART, Constraints, Redundant};
+use crate::joints::JointEquations;
 
 impl Assembly {
     /// Redundant joint equations in the reference state. Multipliers are shared in the least-squares sense, which does not affect
@@ -55,6 +56,26 @@ impl Assembly {
     /// Number of constraint equations minus their rank in the reference state.
     pub(crate) fn rank_deficiency(&self) -> usize {
         self.constraints().dependences(&self.rest(), REDUNDANCY_TOLERANCE).len()
+    }
+
+    /// Warnings of joints whose friction depends on a reaction that redundant equations do not determine.
+    pub(crate) fn undetermined_friction(&self) -> Vec<String> {
+        let observes = |joint: &&JointEquations| {
+            joint.parts.iter().any(|part| !part.term.observed_multipliers().is_empty())
+        };
+        let shares = |joint: &&JointEquations| {
+            let of =
+                |one: &Redundant| !one.coupling && one.joint == joint.name || one.with.contains(&joint.name);
+            self.redundant.iter().any(of)
+        };
+        let text = |joint: &JointEquations| {
+            format!(
+                "the friction of joint `{}` depends on its reaction, which redundant constraints do not determine; the result depends on \
+                 how the solver divides the constraint force",
+                joint.name
+            )
+        };
+        self.joints.iter().filter(observes).filter(shares).map(text).collect()
     }
 
     /// Multipliers that are undetermined because of redundant equations.

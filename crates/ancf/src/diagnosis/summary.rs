@@ -78,6 +78,7 @@ impl Model {
             if self.starts_undeformed() { assembly.projection(&assembly.start(&model)) } else { None };
         let start = dynamic.then(|| start_text(&self.initial.from)).flatten();
         let mut warnings: Vec<String> = assembly.redundant().iter().map(redundant_warning).collect();
+        warnings.extend(assembly.undetermined_friction());
         warnings.extend(projection.and_then(projection_warning));
         warnings.extend(model_warnings(self));
         let lengths = |of: &[(String, f64)]| {

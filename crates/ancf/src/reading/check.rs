@@ -141,7 +141,7 @@ fn check_data_by(mut data: Value, rules: Rules) -> (Option<Model>, Vec<Finding>)
         let error = finding("analysis".into(), found, "a single analysis, as a table");
         return (
             None,
-            vec![error.hint("`ancf run` and `ancf check` accept a list, AnalysisSequence in programs")],
+            vec![error.hint("`ancf run` and `ancf check` accept a list, `ancf.run_sequence` in Python, `AnalysisSequence` in Rust")],
         );
     }
     let unread = read_meshes(&mut data);

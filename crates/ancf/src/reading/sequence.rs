@@ -108,14 +108,21 @@ impl AnalysisSequence {
 }
 
 impl SequenceStage {
-    /// Text of the model file of this analysis in its results folder. `start_time` is the time at which its motion starts.
-    pub fn text(&self, start_time: f64) -> String {
+    /// Data of the model of this analysis. `start_time` is the time at which its motion starts. `initial.from` is the folder
+    /// of the analysis before it, relative to its own.
+    pub fn data(&self, start_time: f64) -> Table {
         let mut data = self.data.clone();
         if let Some(Value::Table(initial)) = data.get_mut("initial")
             && self.model.analysis.dynamics().is_some()
         {
             initial.insert("start_time".into(), start_time.into());
         }
+        data
+    }
+
+    /// Text of the model file of this analysis in its results folder, with [`data`](Self::data).
+    pub fn text(&self, start_time: f64) -> String {
+        let data = self.data(start_time);
         let text = toml::to_string(&data).expect("data of a model file are a TOML table");
         format!("# Analysis `{}` of a sequence.\n{text}", self.name)
     }

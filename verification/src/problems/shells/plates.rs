@@ -21,6 +21,18 @@ pub(super) const PROBLEMS: &[Problem] = &[
         run: frequencies,
     },
     Problem {
+        name: "plate_frequencies_fine",
+        title: "Frequencies of plates on a fine mesh",
+        source: "Ritz series with 18 × 18 terms: free, clamped, two opposite edges clamped or hinged, and cantilevers with a/b = 2 and 0.5. \
+                 Square cantilever by an independent Kirchhoff-Love code on 24 × 24 elements",
+        sketch: r"
+      +--------+
+      |        |   a = 1, h = 0.01, D = 1, ρh = 1, ν = 0.3
+      +--------+",
+        goal: "44 circular frequencies within 1e-4 with 24 × 24 elements",
+        run: fine_frequencies,
+    },
+    Problem {
         name: "plate_buckling",
         title: "Buckling of a square plate under edge compression",
         source: "Bryan (1891): N = π² D (m + 1/m)²/a²: 4 π² D/a², 6.25 π² D/a²",
@@ -48,14 +60,14 @@ pub(super) const PROBLEMS: &[Problem] = &[
 const SQUARE: &str = "kind = \"flat\", corner = [0, 0, 0], side_u = [1, 0, 0], side_v = [0, 1, 0]";
 const EDGES: [&str; 4] = ["u_start", "u_end", "v_start", "v_end"];
 
-/// Plate with D = 1 and ρh = 1.
+/// Square plate with D = 1 and ρh = 1.
 const fn plate(elements: u32) -> ShellModel<'static> {
-    ShellModel {
-        surface: SQUARE,
-        elements: [elements; 2],
-        thickness: 0.01,
-        material: [12.0 * (1.0 - 0.09) * 1e6, 0.3, 100.0],
-    }
+    rectangle(SQUARE, [elements; 2])
+}
+
+/// Plate with D = 1 and ρh = 1.
+const fn rectangle(surface: &str, elements: [u32; 2]) -> ShellModel<'_> {
+    ShellModel { surface, elements, thickness: 0.01, material: [12.0 * (1.0 - 0.09) * 1e6, 0.3, 100.0] }
 }
 
 fn frequencies() -> Result<Findings, VerificationError> {
@@ -81,6 +93,87 @@ fn frequencies() -> Result<Findings, VerificationError> {
         curves.push(PlotCurve::points(name, points));
     }
     found.plot(Plot::new("Frequency relative to the reference", ["mode", "ratio"], curves));
+    Ok(found)
+}
+
+/// Plate, its supports, the number of rigid motions, and ω a² √(ρh/D).
+type FineCase = (&'static str, ShellModel<'static>, String, usize, &'static [f64]);
+
+fn fine_cases() -> [FineCase; 8] {
+    let on = |names: &[&str], condition: &str| -> String {
+        names.iter().map(|name| edge(name, &format!("\"{condition}\""))).collect()
+    };
+    let [us, vs] = [["u_start", "u_end"], ["v_start", "v_end"]];
+    let square = || plate(24);
+    let wide = "kind = \"flat\", corner = [0, 0, 0], side_u = [1, 0, 0], side_v = [0, 2, 0]";
+    let narrow = "kind = \"flat\", corner = [0, 0, 0], side_u = [1, 0, 0], side_v = [0, 0.5, 0]";
+    let root = || on(&["u_start"], "clamped");
+    [
+        (
+            "free",
+            square(),
+            String::new(),
+            6,
+            &[
+                13.468197, 19.596137, 24.270201, 34.800891, 34.800891, 61.093234, 61.093234, 63.686134,
+                69.265405,
+            ],
+        ),
+        ("cantilever", square(), root(), 0, &[3.47100, 8.5062, 21.2839, 27.1987, 30.9543, 54.1838]),
+        (
+            "clamped",
+            square(),
+            on(&EDGES, "clamped"),
+            0,
+            &[35.9851911, 73.3938455, 73.3938455, 108.2165017, 131.58077, 132.20479],
+        ),
+        ("hinged", square(), on(&EDGES, "hinged"), 0, &[19.7392088, 49.3480220, 49.3480220, 78.9568352]),
+        (
+            "two edges clamped, two hinged",
+            square(),
+            on(&us, "clamped") + &on(&vs, "hinged"),
+            0,
+            &[28.9508504, 54.7430707, 69.3270137, 94.58528, 102.21619],
+        ),
+        (
+            "two edges hinged, two free",
+            square(),
+            on(&us, "hinged"),
+            0,
+            &[9.6313849, 16.1347770, 36.7256420, 38.9449587],
+        ),
+        (
+            "cantilever, a/b = 2",
+            rectangle(narrow, [24; 2]),
+            root(),
+            0,
+            &[3.43928, 14.8020, 21.4337, 48.1781, 60.1494],
+        ),
+        (
+            "cantilever, a/b = 0.5",
+            rectangle(wide, [24; 2]),
+            root(),
+            0,
+            &[3.49280, 5.35101, 10.18076, 19.0750, 21.8382],
+        ),
+    ]
+}
+
+fn fine_frequencies() -> Result<Findings, VerificationError> {
+    let (mut found, mut curves) = (Findings::default(), Vec::new());
+    for (name, shell, supports, rigid, exact) in fine_cases() {
+        let count = rigid + exact.len();
+        let model = format!("{shell}{supports}[analysis]\nkind = \"modes\"\ncount = {count}\n");
+        let solved = solve(&model)?;
+        let ours = solved.column("frequency")?.iter().skip(rigid).map(|f| TAU * f);
+        let mut points = Vec::new();
+        for (k, (ours, exact)) in ours.zip(exact).enumerate() {
+            found.compare(format!("{name}, mode {}", k + 1), ours, *exact, *exact, 1e-4);
+            points.push([(k + 1) as f64, 1e6 * (ours / exact - 1.0)]);
+        }
+        curves.push(PlotCurve::points(name, points));
+    }
+    found.plot(Plot::new("Deviation of the frequency from the reference", ["mode", "1e-6"], curves));
     Ok(found)
 }
 

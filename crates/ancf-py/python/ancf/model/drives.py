@@ -83,8 +83,7 @@ class AngularSpring(Part):
 @checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class AngularFriction(Part):
-    """Dry friction of a hinge, a ball joint or an arm of a cross with the moment −(moment + coefficient
-    radius N) g(ω).
+    """Dry friction of a hinge, ball joint or cross: moment −(moment + coefficient radius N) g(ω).
 
     N is the normal force of the reaction, g(ω) = tanh(ω/rate) (1 + (peak − 1) exp(−(ω/decay)²)).
 

@@ -12,7 +12,7 @@ use super::builder::JointBuilder;
 use super::measures;
 use crate::units::Scaled;
 
-/// Dry friction of a hinge, a ball joint or an arm of a cross with the moment −(moment + coefficient radius N) g(ω).
+/// Dry friction of a hinge, ball joint or cross: moment −(moment + coefficient radius N) g(ω).
 ///
 /// N is the normal force of the reaction, g(ω) = tanh(ω/rate) (1 + (peak − 1) exp(−(ω/decay)²)).
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]

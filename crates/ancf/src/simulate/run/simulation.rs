@@ -40,7 +40,8 @@ impl Simulation {
         if !repeated.is_empty() {
             return Err(ModelErrors(repeated));
         }
-        let (interrupt, warnings) = (Interrupt::default(), model_warnings(model));
+        let (interrupt, mut warnings) = (Interrupt::default(), assembly.undetermined_friction());
+        warnings.extend(model_warnings(model));
         let simulation = Self { scaled, chosen, assembly, inputs, interrupt, warnings };
         let unknown = unknown_values(model, &simulation.columns());
         if unknown.is_empty() { Ok(simulation) } else { Err(ModelErrors(unknown)) }

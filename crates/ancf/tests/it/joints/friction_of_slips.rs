@@ -202,6 +202,39 @@ fn balls_between_beams_balance_the_energy() {
     }
 }
 
+/// Two pins on one axis share the reaction in a way that the constraints do not determine: a warning of the run and of its check.
+#[test]
+fn undetermined_friction_is_reported() {
+    let pin = |name: &str, z: f64, friction: &str| {
+        format!(
+            "{{ kind = \"revolute\", name = \"{name}\", a = {{ body = \"w\", at = [0, 0, {z}] }}, axis = [0, 0, 1], {friction} }}"
+        )
+    };
+    let door = |friction: &str, second: &str| {
+        format!(
+            "gravity = [0, 0, -9.81]\n\
+             bodies = [{{ kind = \"rigid\", name = \"w\", center = [0.5, 0, 0], mass = {MASS}, inertia = [1, 1, 1] }}]\n\
+             joints = [{}{second}]\n\
+             analysis = {{ kind = \"dynamics\", duration = 0.01, step = 1e-3 }}\n",
+            pin("low", -0.5, friction)
+        )
+    };
+    let by_reaction = "friction = { coefficient = 0.1, radius = 0.01, rate = 1e-3 }";
+    let other = format!(", {}", pin("high", 0.5, "spring = { stiffness = 1 }"));
+    let warnings = |text: &str| {
+        let model = parse(text);
+        let summary = Simulation::new(&model).unwrap().run(&mut States::default()).unwrap();
+        let of = |warnings: &[String]| warnings.iter().filter(|text| text.contains("`low`")).count();
+        [
+            of(&summary.warnings),
+            model.diagnose().unwrap().warnings.iter().filter(|w| w.contains("friction")).count(),
+        ]
+    };
+    assert_eq!(warnings(&door(by_reaction, &other)), [1, 1]);
+    assert_eq!(warnings(&door(by_reaction, "")), [0, 0]);
+    assert_eq!(warnings(&door("friction = { moment = 1, rate = 1e-3 }", &other)), [0, 0]);
+}
+
 #[test]
 fn errors_of_friction_have_their_places() {
     let message = |joint: &str| Model::parse(&body("", joint)).unwrap_err().to_string();

@@ -1,6 +1,6 @@
 //! Directors of the nodes of a mesh from its geometry.
 
-use nalgebra::{DMatrix, Matrix3, Vector3};
+use nalgebra::{Matrix2, Matrix2x3, Vector3};
 
 use super::face::Face;
 use super::topology::MeshTopology;
@@ -46,20 +46,30 @@ pub fn directors(nodes: &[Vector3<f64>], elements: &[Face]) -> Vec<Vector3<f64>>
 }
 
 /// Extrapolates normals at places to a point, by a linear function of the components of the place normal to a direction.
+///
+/// The slope is that of least squares. It is zero in directions without extent.
 fn extrapolated(point: &Vector3<f64>, samples: &[[Vector3<f64>; 2]], normal: &Vector3<f64>) -> Vector3<f64> {
     let count = samples.len() as f64;
     let middle = samples.iter().map(|[x, _]| x).sum::<Vector3<f64>>() / count;
     let mean = samples.iter().map(|[_, n]| n).sum::<Vector3<f64>>() / count;
-    let project = Matrix3::identity() - normal * normal.transpose();
-    let arms = DMatrix::from_fn(samples.len(), 3, |k, i| (project * (samples[k][0] - middle))[i]);
-    let values = DMatrix::from_fn(samples.len(), 3, |k, i| samples[k][1][i] - mean[i]);
-    let size = arms.amax();
-    let svd = arms.try_svd(true, true, f64::EPSILON, 100);
-    let slope = svd.and_then(|svd| svd.solve(&values, FLAT * size).ok()).map(|slope| {
-        let arm = project * (point - middle);
-        Vector3::from_fn(|i, _| (0..3).map(|j| arm[j] * slope[(j, i)]).sum())
-    });
-    (mean + slope.unwrap_or_else(Vector3::zeros)).normalize()
+    let across = normal.cross(&Vector3::ith(normal.iamin(), 1.0)).normalize();
+    let plane = Matrix2x3::from_rows(&[across.transpose(), normal.cross(&across).transpose()]);
+    // Normal equations of two columns: a decomposition of all three has a column without extent.
+    let (mut square, mut product) = (Matrix2::zeros(), Matrix2x3::zeros());
+    for [x, n] in samples {
+        let arm = plane * (x - middle);
+        square += arm * arm.transpose();
+        product += arm * (n - mean).transpose();
+    }
+    let (axes, arm) = (square.symmetric_eigen(), plane * (point - middle));
+    let least = FLAT * FLAT * axes.eigenvalues.max();
+    let mut sum = mean;
+    for (axis, value) in axes.eigenvectors.column_iter().zip(axes.eigenvalues.iter()) {
+        if *value > least {
+            sum += product.transpose() * axis * (axis.dot(&arm) / value);
+        }
+    }
+    sum.normalize()
 }
 
 /// Returns the global axis that is farthest from all directors: the first direction of stresses unless an axis is given.
@@ -76,4 +86,53 @@ pub fn stress_axis(directors: &[Vector3<f64>]) -> Vector3<f64> {
         }
     }
     best
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Warped patch of quadrilaterals and triangles.
+    fn patch() -> (Vec<Vector3<f64>>, Vec<Face>) {
+        let node = |i: u32, j: u32| {
+            let (x, y) = (0.13 * f64::from(i), 0.17 * f64::from(j));
+            let place = Vector3::new(x + 0.02 * y, y - 0.03 * x * y, 0.7 * x * x - 0.3 * x * y + 0.2 * y * y);
+            nalgebra::Rotation3::from_euler_angles(0.4, -1.1, 2.3) * place
+        };
+        let nodes = (0..3).flat_map(|j| (0..4).map(move |i| node(i, j))).collect();
+        let quads = [[0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [4, 5, 9, 8]].map(Face::Quad);
+        let triangles = [[5, 6, 10], [5, 10, 9]].map(Face::Triangle);
+        let last = [[6, 7, 11, 10]].map(Face::Quad);
+        (nodes, quads.into_iter().chain(triangles).chain(last).collect())
+    }
+
+    /// Directors do not depend on units, and change by rounding errors with nodes that do.
+    #[test]
+    fn directors_are_accurate_to_rounding() {
+        let (nodes, faces) = patch();
+        let expected = directors(&nodes, &faces);
+        for scale in [0.3, 1e-3, 0.999_999_9, 7.0] {
+            let scaled: Vec<_> = nodes.iter().map(|x| x * scale).collect();
+            let found = directors(&scaled, &faces);
+            let largest = found.iter().zip(&expected).map(|(a, b)| (a - b).norm()).fold(0.0, f64::max);
+            assert!(largest < 1e-14, "{scale}: {largest:e}");
+        }
+    }
+
+    /// A linear field of normals is extrapolated exactly, up to the normalisation.
+    #[test]
+    fn linear_fields_are_extrapolated() {
+        let normal = Vector3::new(0.48, 0.6, 0.64);
+        let [t, s] = [Vector3::new(0.8, 0.0, -0.6), Vector3::new(-0.36, 0.8, -0.48)];
+        let field = |x: &Vector3<f64>| normal + t * (0.3 * t.dot(x) - 0.2 * s.dot(x)) + s * (0.1 * t.dot(x));
+        let places = [[0.0, 0.0], [1.0, 0.1], [0.2, 0.9], [1.3, 1.1]].map(|[a, b]| t * a + s * b);
+        let samples: Vec<_> = places.iter().map(|x| [*x, field(x)]).collect();
+        let point = t * -0.7 + s * 1.6 + normal * 0.4;
+        let found = extrapolated(&point, &samples, &normal);
+        assert!((found - field(&point).normalize()).norm() < 1e-14);
+        // Places on a line have no slope across it.
+        let line: Vec<_> = [0.0, 0.4, 1.0].map(|a| [t * a, field(&(t * a))]).into();
+        let found = extrapolated(&(t * 2.0 + s * 0.5), &line, &normal);
+        assert!((found - field(&(t * 2.0)).normalize()).norm() < 1e-14);
+    }
 }

@@ -43,6 +43,26 @@ fn external(t: f64, x: [f64; 3], v: [f64; 3]) -> [f64; 3] {
 
 type Case = (&'static str, Box<dyn Term>, TermKind);
 
+/// Returns friction of the slip between two frames.
+fn friction_terms(frames: [&SectionFrame; 2], axes: [Vector3<f64>; 3], along: BilinearMeasure) -> [Case; 3] {
+    let triads = frames.map(|frame| axes.map(|x| BodyVector::turned(frame, x)));
+    let turn = |axis: TurnAxis, arm: f64| Slip::Turn { triads: Box::new(triads.clone()), axis, arm };
+    let ball = [Vector3::x(), Vector3::y(), Vector3::z()]
+        .map(|axis| turn(TurnAxis::Direction(BodyVector::fixed(axis)), 1.0));
+    let arms = Box::new([triads[0][0].clone(), triads[1][1].clone()]);
+    let about = turn(TurnAxis::Direction(triads[1][2].clone()), 0.7);
+    [
+        ("friction of a ball", ball.into()),
+        ("friction of a cross", vec![turn(TurnAxis::ArmOfCross(arms), 1.0)]),
+        ("friction of a sleeve", vec![Slip::Rate(along), about]),
+    ]
+    .map(|(name, slip)| {
+        let law = FrictionLaw { amount: 0.4, coefficient: 0.0, curve: STRIBECK };
+        let term: Box<dyn Term> = Box::new(ReactionFriction::new(slip, 5, Bearing::Plane, law));
+        (name, term, TermKind::IncompleteStiffness)
+    })
+}
+
 /// Returns terms between the frames of two bodies with their names.
 pub(super) fn frame_terms(a: &BeamMesh, b: &BeamMesh) -> Vec<Case> {
     let (fa, fb) = (frame(a, 0.31), frame(b, 0.9));
@@ -64,19 +84,6 @@ pub(super) fn frame_terms(a: &BeamMesh, b: &BeamMesh) -> Vec<Case> {
     let sine = || Function::Sine { frequency: 0.4, phase: 0.3 };
     let slide = SlideConstraint::along(a.element_axes(), &other, OWN, 0.31, 5).swap_remove(0);
     let ramp = Function::Ramp { start: 0.0, end: 2.0 };
-    let turn_about = |axis: TurnAxis, arm: f64| {
-        let triads = [&fa, &fb].map(|frame| axes.map(|x| BodyVector::turned(frame, x)));
-        Slip::Turn { triads: Box::new(triads), axis, arm }
-    };
-    let global = |axis: Vector3<f64>| turn_about(TurnAxis::Direction(BodyVector::fixed(axis)), 1.0);
-    let slip_of_a_ball = vec![global(Vector3::x()), global(Vector3::y()), global(Vector3::z())];
-    let slip_of_a_cross = vec![turn_about(TurnAxis::ArmOfCross(Box::new([p.clone(), v.clone()])), 1.0)];
-    let about = turn_about(TurnAxis::Direction(w.clone()), 0.7);
-    let slip_of_a_sleeve = vec![Slip::Rate(along()), about];
-    let rubbing = |slip| {
-        let law = FrictionLaw { amount: 0.4, coefficient: 0.0, curve: STRIBECK };
-        ReactionFriction::new(slip, 5, Bearing::Plane, law)
-    };
     let constraints: Vec<Case> = vec![
         (
             "frames: row of a clamp",
@@ -95,9 +102,6 @@ pub(super) fn frame_terms(a: &BeamMesh, b: &BeamMesh) -> Vec<Case> {
         ("frames: spring", Box::new(Spring::new(turn(), 2.0, 0.0)), TermKind::Smooth),
         ("frames: damped spring", Box::new(Spring::new(along(), 2.0, 0.3)), TermKind::Damped),
         ("frames: friction", Box::new(Friction::new(turn(), 0.4, STRIBECK)), TermKind::Damped),
-        ("friction of a ball", Box::new(rubbing(slip_of_a_ball)), TermKind::IncompleteStiffness),
-        ("friction of a cross", Box::new(rubbing(slip_of_a_cross)), TermKind::IncompleteStiffness),
-        ("friction of a sleeve", Box::new(rubbing(slip_of_a_sleeve)), TermKind::IncompleteStiffness),
         ("frames: strut", Box::new(Strut::new(&point, &other, 2.0, 0.7, 0.0).unstressed()), TermKind::Damped),
         (
             "frames: twist",
@@ -116,7 +120,8 @@ pub(super) fn frame_terms(a: &BeamMesh, b: &BeamMesh) -> Vec<Case> {
     let own = fb.reference().map(|axis| BodyVector::turned(&fa, axis));
     let others = fb.reference().map(|axis| BodyVector::turned(&fb, axis));
     let bushings = bushings(own.each_ref(), others.each_ref(), &apart);
-    [constraints, bushings, frame_loads(&fa, &point, &p)].into_iter().flatten().collect()
+    let friction = friction_terms([&fa, &fb], axes, along()).into();
+    [constraints, friction, bushings, frame_loads(&fa, &point, &p)].into_iter().flatten().collect()
 }
 
 /// Matrix of small integers plus a multiple of the identity.

@@ -70,22 +70,13 @@ def test_results_are_those_of_the_program(tmp_path: Path, program: Path) -> None
 
 
 def test_a_failure_keeps_the_results_before_it() -> None:
-    wrong = ROPE | {
-        "analysis": [
-            {"kind": "statics", "name": "hang"},
-            {
-                "kind": "dynamics",
-                "name": "release",
-                "duration": 0.1,
-                "step": 0.05,
-                "max_iterations": 1,
-                "min_step": 0.04,
-            },
-        ]
-    }
+    hang, tones, release, swing = ROPE["analysis"]
+    hurried = release | {"step": 0.05, "max_iterations": 1, "max_halvings": 0}
+    wrong = ROPE | {"analysis": [hang, tones, hurried, swing]}
     with pytest.raises(ancf.AnalysisError) as failed:
         ancf.run_sequence(wrong)
-    assert list(failed.value.completed) == ["hang"]
+    assert list(failed.value.completed) == ["hang", "tones"]
+    assert failed.value.result is not None
 
 
 def test_errors_have_paths_of_the_data() -> None:

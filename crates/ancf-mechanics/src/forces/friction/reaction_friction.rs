@@ -8,7 +8,7 @@ use crate::laws::FrictionCurve;
 /// Dry friction along the slip of a bearing, of a given amount and in proportion to the reaction: f = −(F + μ ρ N(λ)) g(|s|) s/|s|.
 ///
 /// The slip s has one or more components ([`Slip`]) that share one friction, as of a shaft that turns and slides in a sleeve. The
-/// factor ρ is 1 for a slip in length/time and the radius of a pin or ball for one in radians/time. N is the sum of normal
+/// factor ρ is 1 if the slip is a velocity, and the radius of the pin or ball if it is an angular velocity. N is the sum of normal
 /// forces of the [`Bearing`], g the [`FrictionCurve`]. The friction of step ends depends on the multipliers of the same step ends.
 ///
 /// The tangent lacks the derivatives by multipliers and directions, which are not symmetric. Newton's method converges linearly, by a

@@ -100,11 +100,22 @@ def run(
     simulation = _ancf.Simulation(data(model))
     if to is not None:
         simulation = simulation.refine(to)
+    return _run_shown(simulation, states, callback, progress)
+
+
+def _run_shown(
+    simulation: _ancf.Simulation,
+    states: str,
+    callback: Callback | None,
+    progress: bool | None,
+    after: Result | None = None,
+) -> Result:
+    """Run a simulation with a progress bar, and issue its warnings."""
     _, duration = simulation.analysis
     observer = None if callback is None else CallbackObserver(callback)
     with Bar(duration, progress) as bar:
         try:
-            result = run_simulation(simulation, states, observer, bar.tick)
+            result = run_simulation(simulation, states, observer, bar.tick, after=after)
         except AnalysisError as error:
             warn(error.result)
             raise
@@ -148,20 +159,14 @@ def run_sequence(
     time = 0.0
     for stage in stages:
         numbers = stage.data(time)
-        simulation = _ancf.Simulation(numbers)
-        kind, duration = simulation.analysis
         before = folders.get(Path(str(numbers.get("initial", {}).get("from", ""))).name)
-        observer = None if callback is None else CallbackObserver(callback)
-        with Bar(duration, progress) as bar:
-            try:
-                result = run_simulation(simulation, "all", observer, bar.tick, after=before)
-            except AnalysisError as error:
-                error.completed = results
-                warn(error.result)
-                raise
-        warn(result)
+        try:
+            result = _run_shown(_ancf.Simulation(numbers), "all", callback, progress, before)
+        except AnalysisError as error:
+            error.completed = results
+            raise
         results[stage.name] = folders[stage.folder] = result
-        if kind == "dynamics":
+        if result.kind == "dynamics":
             time = result.summary["time"]
         if result.summary["outcome"]["kind"] != "finished":
             break

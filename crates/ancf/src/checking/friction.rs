@@ -43,9 +43,16 @@ pub(crate) fn friction_of_joints(model: &IndexedModel<'_>) -> Vec<Finding> {
             ..finding(key, found, expected)
         };
         let (by_reaction, keys) = (friction.coefficient > 0.0, kind.bearing_keys());
-        if keys.contains(&"radius") && by_reaction && friction.radius.is_none() {
-            let expected = "the radius of the pin or ball, on which the reaction acts";
-            findings.push(missing(key("radius"), "no radius beside a coefficient", expected));
+        let also_turns = matches!(joint, Joint::Cylindrical(_));
+        if keys.contains(&"radius") && (by_reaction || also_turns) && friction.radius.is_none() {
+            let (found, expected) = match also_turns {
+                true => ("no radius", "the radius of the shaft, at which the rotation slips"),
+                false => (
+                    "no radius beside a coefficient",
+                    "the radius of the pin or ball, on which the reaction acts",
+                ),
+            };
+            findings.push(missing(key("radius"), found, expected));
         }
         for (name, length) in friction.lengths().filter(|(name, _)| !keys.contains(name)) {
             let expected = format!("no `{name}`: the friction of a {} does not depend on it", kind.noun());

@@ -3,10 +3,9 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::parts::measures;
-use crate::errors::{Finding, finding};
 use crate::joints::parts::{
-    AngularDrive, AngularSpring, End, JointActions, JointBuilder, JointContext, JointCoordinate,
-    JointFriction, JointKind, LinearDrive, LinearFriction,
+    AngularDrive, AngularSpring, End, JointActions, JointBuilder, JointCoordinate, JointFriction, JointKind,
+    LinearDrive, LinearFriction,
 };
 use crate::model::{Capability, JointLaw, LawKind, Place, TimeFunction};
 use crate::units::Scaled;
@@ -84,16 +83,6 @@ impl JointKind for Cylindrical {
 
     fn bearing_keys(&self) -> &'static [&'static str] {
         &["radius", "span"]
-    }
-
-    fn check(&self, path: &str, _context: &dyn JointContext) -> Vec<Finding> {
-        let without = self.friction.filter(|friction| friction.radius.is_none());
-        let found = without.map(|_| {
-            let expected = "the radius of the shaft, at which the rotation slips";
-            let error = finding(format!("{path}.friction.radius"), "no radius", expected);
-            Finding { absence: true, ..error }
-        });
-        found.into_iter().collect()
     }
 
     fn needs(&self) -> [Option<(Capability, &'static str)>; 2] {

@@ -118,7 +118,8 @@ impl Term for ReactionFriction {
         for row in &now.rows {
             // Entries are sums, whose errors are of the order of the largest one.
             let error = 32.0 * f64::EPSILON * force * row.iter().fold(0.0, |size: f64, j| size.max(j.abs()));
-            floor.iter_mut().for_each(|floor| *floor += error);
+            let touched = floor.iter_mut().zip(row).filter(|(_, j)| **j != 0.0);
+            touched.for_each(|(floor, _)| *floor += error);
         }
     }
 

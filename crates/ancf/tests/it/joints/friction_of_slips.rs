@@ -267,6 +267,10 @@ fn errors_of_friction_have_their_places() {
         let found = message(joint);
         assert!(found.contains(expected), "{joint}: {found}");
     }
+    // One error for one missing key.
+    let sleeve =
+        message("kind = \"cylindrical\", axis = [1, 0, 0], friction = { coefficient = 0.1, speed = 1 }");
+    assert_eq!(sleeve.lines().count(), 1, "{sleeve}");
     let mass = body("", "kind = \"spherical\", friction = { moment = 1, rate = 1 }")
         .replace("kind = \"rigid\"", "kind = \"mass\"")
         .replace(", inertia = [0.1, 0.1, 0.1]", "");

@@ -248,6 +248,7 @@ impl Frame {
                 load.point = self.point(load.point);
             }
             Load::Fluid(load) => load.current = self.polar(load.current),
+            Load::SurfaceFluid(load) => load.current = self.polar(load.current),
             Load::Prestrain(load) => {
                 load.curvature = self.line_moment(load.curvature, true);
                 load.curvature_end = load.curvature_end.map(|curvature| self.line_moment(curvature, true));

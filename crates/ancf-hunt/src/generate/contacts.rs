@@ -1,4 +1,4 @@
-//! Contact of flexible bodies with a plane, a sphere or a cylinder below them.
+//! Contact of flexible bodies and shells with a plane, a sphere or a cylinder below them.
 
 use ancf::nalgebra::Vector3;
 use serde_json::json;
@@ -9,7 +9,8 @@ use crate::random::rounded;
 /// Adds a contact to some models of dynamics.
 pub(super) fn add(draft: &mut Draft) {
     let is_flexible = draft.spots.iter().any(|spot| spot.kind.is_flexible());
-    if draft.task != Task::Dynamics || !is_flexible || !draft.random.chance(0.12) {
+    let is_shell = draft.spots.iter().any(|spot| spot.kind == Kind::Shell);
+    if draft.task != Task::Dynamics || !(is_flexible || is_shell) || !draft.random.chance(0.12) {
         return;
     }
     let lowest = draft.spots.iter().map(|spot| spot.point.z).fold(f64::INFINITY, f64::min);
@@ -29,11 +30,13 @@ pub(super) fn add(draft: &mut Draft) {
     let stiffness = rounded(30.0 * draft.sizes.force() / draft.sizes.length / radius);
     let slip = rounded(0.05 * draft.sizes.length / draft.sizes.period());
     let transition = rounded(0.3 * radius);
-    if draft.spots.iter().any(|spot| spot.kind == Kind::Shell) {
-        return; // Shells have no contact.
+    let mut contact = json!({ "with": with, "friction": friction, "slip_speed": slip, "transition": transition, "points": 3 });
+    if is_flexible {
+        contact["stiffness"] = json!(stiffness);
+        contact["radius"] = json!(rounded(radius));
     }
-    draft.contacts.push(json!({
-        "with": with, "stiffness": stiffness, "radius": rounded(radius), "friction": friction, "slip_speed": slip,
-        "transition": transition, "points": 3,
-    }));
+    if is_shell {
+        contact["surface_stiffness"] = json!(rounded(stiffness / draft.sizes.length));
+    }
+    draft.contacts.push(contact);
 }

@@ -21,7 +21,8 @@ pub(super) fn add(draft: &mut Draft) {
     if draft.random.chance(0.1) {
         prestrain(draft);
     }
-    if draft.random.chance(0.1) && !draft.is_static() {
+    let is_wet = draft.loads.iter().any(|load| load["kind"] == "surface_fluid");
+    if draft.random.chance(0.1) && !draft.is_static() && !is_wet {
         let acceleration = draft.vector(0.3 * draft.sizes.force() / draft.sizes.mass());
         let time = draft.time(false);
         draft

@@ -3,7 +3,7 @@
 use ancf::nalgebra::{Rotation3, Vector3};
 use serde_json::{Value, json};
 
-use super::draft::{Draft, Kind, Spot, list};
+use super::draft::{Draft, Kind, Spot, Task, list};
 use super::{bodies, joints};
 use crate::random::{Random, rounded};
 
@@ -75,14 +75,23 @@ fn patch(draft: &mut Draft, start: Vector3<f64>) -> Vec<Spot> {
     vec![spot(0), spot(nodes.len() - 1)]
 }
 
-/// Adds a pressure or a force per area in some cases.
+/// Adds a pressure, a force per area or a fluid in some cases.
 fn pressure(draft: &mut Draft, body: &str) {
     if draft.is_free || !draft.random.chance(0.4) {
         return;
     }
     let size = draft.random.spread(0.01, 0.3) * draft.sizes.force() / draft.sizes.length.powi(2);
     let time = draft.time(false);
-    let load = if draft.random.chance(0.5) {
+    let load = if draft.task == Task::Dynamics && draft.random.chance(0.3) {
+        // Current with the stated dynamic pressure.
+        let speed = draft.sizes.length / draft.sizes.period();
+        let density = rounded(2.0 * size / speed.powi(2));
+        let added = rounded(0.1 * draft.sizes.length);
+        json!({
+            "kind": "surface_fluid", "body": body, "density": density, "current": list(&draft.vector(speed)), "time": time,
+            "drag": [1.5, 0.05], "lift": 3.0, "added_mass": added,
+        })
+    } else if draft.random.chance(0.5) {
         json!({ "kind": "surface_pressure", "body": body, "pressure": rounded(size), "time": time })
     } else {
         json!({ "kind": "surface_force", "body": body, "force": list(&draft.vector(size)), "time": time })

@@ -1,21 +1,12 @@
 //! Contact between bodies and with obstacles: search, penalty law and friction.
 
-mod axis_curve;
-mod beam_contact;
-mod beam_search;
-mod box_tree;
-mod contact_tube;
-mod crossing;
-mod end_planes;
-mod obstacle;
-mod obstacle_contact;
-mod obstacle_search;
-mod point_contact;
+mod beams;
+mod obstacles;
+mod parts;
+mod surfaces;
 
 pub use crate::laws::ContactLaw;
-pub use beam_contact::BeamContact;
-pub use beam_search::BeamContacts;
-pub use contact_tube::ContactTube;
-pub use obstacle::{Obstacle, ObstacleShape};
-pub use obstacle_contact::ObstacleContact;
-pub use obstacle_search::ObstacleContacts;
+pub use beams::{BeamContact, BeamContacts};
+pub use obstacles::{Obstacle, ObstacleContact, ObstacleContacts, ObstacleShape};
+pub use parts::{ClosestContact, ContactGeometry, ContactPoint};
+pub use surfaces::{SurfaceContact, SurfaceContacts};

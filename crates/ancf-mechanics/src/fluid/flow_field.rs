@@ -25,6 +25,35 @@ impl FlowField {
     pub(crate) fn acceleration(&self, t: f64) -> Vector3<f64> {
         self.current * self.function.at(t).rate
     }
+
+    /// Returns the motion of the fluid at a time.
+    pub(super) fn motion(&self, t: f64) -> FluidMotion {
+        FluidMotion { velocity: self.velocity(t), acceleration: self.acceleration(t) }
+    }
+
+    /// Returns buoyancy and the force of the accelerated fluid, without load factor.
+    pub(super) fn displaced(&self, motion: &FluidMotion, coefficients: &HydroCoefficients) -> Vector3<f64> {
+        (motion.acceleration - self.gravity) * coefficients.displaced()
+    }
+}
+
+/// Fluid motion at one time.
+pub(super) struct FluidMotion {
+    pub(super) velocity: Vector3<f64>,
+    pub(super) acceleration: Vector3<f64>,
+}
+
+/// Hydrodynamic properties of a shell.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HydroSurface {
+    /// Thickness h.
+    pub thickness: f64,
+    /// Drag coefficients: C_n across the surface, and C_t along it.
+    pub drag: [f64; 2],
+    /// Lift coefficient C_l.
+    pub lift: f64,
+    /// Length a of the added mass ρ a per area.
+    pub added_length: f64,
 }
 
 /// Hydrodynamic properties of a section.
@@ -42,27 +71,32 @@ pub struct HydroSection {
     pub added_mass: [f64; 2],
 }
 
-/// Hydrodynamic coefficients of a point of the line, integrated over the length that belongs to the point.
+/// Hydrodynamic coefficients of a point of a line or a surface, integrated over the length or the area that belongs to the point.
+///
+/// The direction of a line is its tangent, that of a surface its normal.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct HydroCoefficients {
-    /// ½ρ d C_n and ½ρ π d C_t, times the length.
+    /// Coefficients of |w_n| w_n across and |w_t| w_t along the direction: ½ρ d C_n and ½ρ π d C_t of a line, ½ρ C_t and ½ρ C_n of a
+    /// surface.
     drag: [f64; 2],
-    /// ρ A C_a for the normal and the tangential direction, times the length.
+    /// Coefficient ½ρ C_l of |w_n| w_t along the direction of a surface; 0 for a line.
+    lift: f64,
+    /// Added mass across and along the direction.
     added: [f64; 2],
-    /// ρ A times the length.
+    /// Mass of the displaced fluid.
     displaced: f64,
 }
 
-/// Motion of line and fluid at a point.
+/// Motion of a line or a surface and the fluid at a point.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct RelativeFlow {
-    /// Tangent p/|p|.
+    /// Direction p/|p|: the tangent of a line, or the normal of a surface.
     pub tangent: Vector3<f64>,
-    /// Stretch |p|, p = dr/ds.
+    /// Magnitude |p| of p = dr/ds or p = r_ξ × r_η.
     pub stretch: f64,
-    /// Velocity of the fluid relative to the line.
+    /// Velocity of the fluid relative to the body.
     pub relative: Vector3<f64>,
-    /// Acceleration of the fluid relative to the line, which the added mass multiplies.
+    /// Acceleration of the fluid relative to the body, which the added mass multiplies.
     pub relative_acceleration: Vector3<f64>,
     /// Load factor, which multiplies the drag.
     pub load: f64,
@@ -82,23 +116,36 @@ impl HydroCoefficients {
         let [normal, tangential] = section.drag;
         Self {
             drag: [dynamic_pressure * normal, dynamic_pressure * std::f64::consts::PI * tangential],
+            lift: 0.0,
             added: section.added_mass.map(|c| c * displaced),
             displaced,
         }
     }
 
-    /// Returns ρ A times the length.
+    /// Creates the coefficients of an area of a surface.
+    pub(super) fn of_surface(fluid: &FlowField, surface: &HydroSurface, area: f64) -> Self {
+        let (dynamic_pressure, mass) = (0.5 * fluid.density * area, fluid.density * area);
+        let [normal, tangential] = surface.drag;
+        Self {
+            drag: [dynamic_pressure * tangential, dynamic_pressure * normal],
+            lift: dynamic_pressure * surface.lift,
+            added: [0.0, mass * surface.added_length],
+            displaced: mass * surface.thickness,
+        }
+    }
+
+    /// Returns the mass of the displaced fluid.
     pub(crate) fn displaced(&self) -> f64 {
         self.displaced
     }
 
-    /// Returns the drag ½ρ d C_n |w_n| w_n + ½ρ π d C_t |w_t| w_t t.
+    /// Returns the drag ½ρ d C_n |w_n| w_n + ½ρ π d C_t |w_t| w_t t of a line, or the drag and the lift of a surface.
     pub(crate) fn drag(&self, flow: &RelativeFlow) -> Vector3<f64> {
         let (along, normal_part) = flow.parts(&flow.relative);
         let [normal, tangential] = self.drag;
-        let drag =
-            normal_part * (normal * normal_part.norm()) + flow.tangent * (tangential * along.abs() * along);
-        drag * flow.load
+        let speed = normal_part.norm();
+        let pressure = (tangential * along.abs() + self.lift * speed) * along;
+        (normal_part * (normal * speed) + flow.tangent * pressure) * flow.load
     }
 
     /// Multiplies a vector by the added mass.
@@ -118,12 +165,15 @@ impl HydroCoefficients {
         let (t, w, b) = (&flow.tangent, &flow.relative, &flow.relative_acceleration);
         let (along, normal_part) = flow.parts(w);
         let speed = normal_part.norm();
-        let [normal, tangential] = self.drag.map(|c| c * flow.load);
+        let ([normal, tangential], lift) = (self.drag.map(|c| c * flow.load), self.lift * flow.load);
+        // Direction of w_n.
+        let ahead = if speed > 0.0 { normal_part / speed } else { Vector3::zeros() };
         let projector = Matrix3::identity() - t * t.transpose();
         // |w| w has no second derivative at w = 0; its first derivative is zero there.
         let flat = if speed > 0.0 { normal_part * normal_part.transpose() / speed } else { Matrix3::zeros() };
-        let velocity =
-            (projector * speed + flat) * normal + t * t.transpose() * (2.0 * tangential * along.abs());
+        let velocity = (projector * speed + flat) * normal
+            + t * t.transpose() * (2.0 * tangential * along.abs())
+            + t * (ahead * along + t * speed).transpose() * lift;
         let identity = Matrix3::identity();
         // Derivatives by the tangent t: of w_n = w − t (t·w), of t·w, and of (M_t − M_n) t (t·b).
         let sideways = identity * along + t * w.transpose();
@@ -131,14 +181,15 @@ impl HydroCoefficients {
             if speed > 0.0 { normal_part * normal_part.transpose() * (along / speed) } else { flat };
         let turned = sideways * (-normal * speed) - of_speed * normal
             + (t * w.transpose() * 2.0 + identity * along) * (tangential * along.abs())
-            + (identity * t.dot(b) + t * b.transpose()) * (self.added[1] - self.added[0]);
+            + (identity * t.dot(b) + t * b.transpose()) * (self.added[1] - self.added[0])
+            + (identity * (speed * along) + t * (w * speed - ahead * (along * along)).transpose()) * lift;
         let acceleration = projector * self.added[0] + t * t.transpose() * self.added[1];
         ForceDerivatives { gradient: turned * projector / flow.stretch, velocity, acceleration }
     }
 
     /// Bounds the rounding error of the force, given the error of p and the magnitudes in w and b.
     pub(crate) fn rounding(&self, flow: &RelativeFlow, [p, w, b]: [f64; 3]) -> f64 {
-        let (drag, added) = (self.drag[0] + self.drag[1], self.added[0] + self.added[1]);
+        let (drag, added) = (self.drag[0] + self.drag[1] + self.lift, self.added[0] + self.added[1]);
         let turn = p / flow.stretch;
         let (speed, rate) = (flow.relative.norm(), flow.relative_acceleration.norm());
         let of_drag = (drag * flow.load).abs() * speed * (2.0 * w + 3.0 * speed * (1.0 + turn));

@@ -3,7 +3,7 @@ use std::sync::Arc;
 use ancf_solver::equations::{Energy, Local, LocalMatrix, Term, Weights};
 use nalgebra::{Matrix3, Vector3};
 
-use super::flow_field::{FlowField, HydroCoefficients, RelativeFlow};
+use super::flow_field::{FlowField, FluidMotion, HydroCoefficients, RelativeFlow};
 use crate::kinematics::ElementAxis;
 
 /// Hydrodynamic load of one element of a slender line: drag, added mass and buoyancy.
@@ -42,12 +42,6 @@ struct MorisonStation {
     coefficients: HydroCoefficients,
 }
 
-/// Fluid motion at one time.
-struct FluidMotion {
-    velocity: Vector3<f64>,
-    acceleration: Vector3<f64>,
-}
-
 impl MorisonLoad {
     /// Creates the load from the weights, the tangent and the section properties at five points of an axis.
     pub(crate) fn new(
@@ -62,16 +56,6 @@ impl MorisonLoad {
             coefficients,
         });
         Self { coordinates: axis.coordinates().collect(), fluid, stations }
-    }
-
-    fn fluid(&self, at: &Local<'_>) -> FluidMotion {
-        let (velocity, acceleration) = (self.fluid.velocity(at.t), self.fluid.acceleration(at.t));
-        FluidMotion { velocity, acceleration }
-    }
-
-    /// Returns buoyancy and the force of the accelerated fluid, without load factor.
-    fn displaced(&self, fluid: &FluidMotion, coefficients: &HydroCoefficients) -> Vector3<f64> {
-        (fluid.acceleration - self.fluid.gravity) * coefficients.displaced()
     }
 }
 
@@ -116,12 +100,12 @@ impl Term for MorisonLoad {
     }
 
     fn residual(&self, at: &Local<'_>, r: &mut [f64]) {
-        let fluid = self.fluid(at);
+        let fluid = self.fluid.motion(at.t);
         for station in &self.stations {
             let (flow, coefficients) = (station.flow(at, &fluid), &station.coefficients);
             let force = coefficients.drag(&flow)
                 + coefficients.added(&flow, &flow.relative_acceleration)
-                + self.displaced(&fluid, coefficients) * at.load;
+                + self.fluid.displaced(&fluid, coefficients) * at.load;
             for (row, value) in r.chunks_exact_mut(3).zip(station.values) {
                 (0..3).for_each(|k| row[k] -= value * force[k]);
             }
@@ -129,10 +113,10 @@ impl Term for MorisonLoad {
     }
 
     fn rounding(&self, at: &Local<'_>, floor: &mut [f64]) {
-        let fluid = self.fluid(at);
+        let fluid = self.fluid.motion(at.t);
         for station in &self.stations {
             let (flow, coefficients) = (station.flow(at, &fluid), &station.coefficients);
-            let displaced = (self.displaced(&fluid, coefficients) * at.load).norm() * f64::EPSILON;
+            let displaced = (self.fluid.displaced(&fluid, coefficients) * at.load).norm() * f64::EPSILON;
             let bound = coefficients.rounding(&flow, station.sizes(at, &fluid)) + displaced;
             for (row, value) in floor.chunks_exact_mut(3).zip(station.values) {
                 row.iter_mut().for_each(|floor| *floor += value.abs() * bound);
@@ -141,7 +125,7 @@ impl Term for MorisonLoad {
     }
 
     fn tangent(&self, at: &Local<'_>, w: Weights, k: &mut LocalMatrix<'_>) {
-        let (fluid, n) = (self.fluid(at), self.coordinates.len() / 3);
+        let (fluid, n) = (self.fluid.motion(at.t), self.coordinates.len() / 3);
         let mut blocks = [[Matrix3::zeros(); 4]; 4];
         for station in &self.stations {
             let (values, slopes) = (&station.values, &station.slopes);
@@ -162,7 +146,7 @@ impl Term for MorisonLoad {
     }
 
     fn energy(&self, at: &Local<'_>) -> Energy {
-        let fluid = self.fluid(at);
+        let fluid = self.fluid.motion(at.t);
         let of = |station: &MorisonStation| {
             let (flow, v) = (station.flow(at, &fluid), sum(&station.values, at.v));
             let buoyancy = self.fluid.gravity * (-at.load * station.coefficients.displaced());
@@ -178,7 +162,7 @@ impl Term for MorisonLoad {
     }
 
     fn supplied_power(&self, at: &Local<'_>) -> f64 {
-        let fluid = self.fluid(at);
+        let fluid = self.fluid.motion(at.t);
         let of = |station: &MorisonStation| {
             let (flow, coefficients) = (station.flow(at, &fluid), &station.coefficients);
             let (v, rate) = (sum(&station.values, at.v), sum(&station.slopes, at.v));
@@ -190,7 +174,7 @@ impl Term for MorisonLoad {
     }
 
     fn damping_forces(&self, at: &Local<'_>, r: &mut [f64]) {
-        let fluid = self.fluid(at);
+        let fluid = self.fluid.motion(at.t);
         for station in &self.stations {
             let drag = station.coefficients.drag(&station.flow(at, &fluid));
             for (row, value) in r.chunks_exact_mut(3).zip(station.values) {
@@ -200,7 +184,7 @@ impl Term for MorisonLoad {
     }
 
     fn flow_power(&self, at: &Local<'_>) -> f64 {
-        let fluid = self.fluid(at);
+        let fluid = self.fluid.motion(at.t);
         let of = |station: &MorisonStation| {
             station.coefficients.drag(&station.flow(at, &fluid)).dot(&fluid.velocity)
         };

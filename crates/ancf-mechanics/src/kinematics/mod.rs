@@ -25,7 +25,7 @@ pub(crate) use line::{AxialStretch, Bend, BendBlocks};
 pub use marker::Marker;
 pub use nodal_vector::NodalVector;
 pub use quadrature::{gauss, gauss2, gauss3};
-pub(crate) use quadrature::{gauss4, lobatto3};
+pub(crate) use quadrature::{gauss4, lobatto3, simpson_points};
 pub(crate) use rotation::{relative_driven_rotation, relative_rotation};
 pub use section_frame::{FrameValues, SectionFrame};
 pub use shape::{BeamShape, Interpolation, QuadraticShape, VectorKind};

@@ -22,6 +22,20 @@ pub fn gauss2() -> [(f64, f64); 2] {
     on_unit([(-x, 1.0), (x, 1.0)])
 }
 
+/// Returns the places and weights of Simpson's rule on `cells` × `cells` equal cells of the unit square, line by line.
+///
+/// It is exact to degree three and has points on the edges. Each direction has 2 `cells` + 1 points.
+pub(crate) fn simpson_points(cells: usize) -> impl Iterator<Item = ([f64; 2], f64)> {
+    let line = move || {
+        let last = 2 * cells;
+        (0..=last).map(move |k| {
+            let share = if k == 0 || k == last { 1.0 } else { 2.0 * (1 + k % 2) as f64 };
+            (k as f64 / last as f64, share / (6 * cells) as f64)
+        })
+    };
+    line().flat_map(move |(y, across)| line().map(move |(x, along)| ([x, y], along * across)))
+}
+
 /// Maps a rule from [−1, 1] to [0, 1].
 fn on_unit<const N: usize>(rule: [(f64, f64); N]) -> [(f64, f64); N] {
     rule.map(|(x, w)| (0.5 * (1.0 + x), 0.5 * w))
@@ -57,6 +71,9 @@ mod tests {
     fn exact_to_their_degrees() {
         assert_exact(&gauss2(), 3);
         assert_exact(&lobatto3(), 3);
+        let line: Vec<_> =
+            simpson_points(3).filter(|([_, y], _)| *y == 0.0).map(|([x, _], w)| (x, 18.0 * w)).collect();
+        assert_exact(&line, 3);
         assert_exact(&gauss3(), 5);
         assert_exact(&gauss4(), 7);
         assert_exact(&gauss(), 9);

@@ -5,11 +5,13 @@ use ancf_solver::equations::{State, Term};
 use nalgebra::Vector3;
 
 use super::element::Shell48;
+use super::element_surface::ElementSurface;
 use super::hermite::{VECTORS, bicubic};
-use super::profile::ShellMedium;
+use super::profile::{ShellMedium, integration_points};
 use crate::inertia::MassVisitor;
 use crate::kinematics::{
     Attachment, Directions, Marker, NodalVector, SectionFrame, VectorKind, gauss4, round_to_zero,
+    simpson_points,
 };
 
 /// Kinds of the vectors of a node.
@@ -217,6 +219,52 @@ impl ShellMesh {
     /// Returns the numbers of cells of [`grid`](Self::grid) along u and v.
     pub fn grid_divisions(&self, parts: usize) -> [usize; 2] {
         self.divisions.map(|count| count * parts)
+    }
+
+    /// Returns the points r, tangents r_ξ and r_η and areas at the integration points of an element.
+    pub(crate) fn flow_points(&self, element: usize) -> Vec<([Marker; 3], f64)> {
+        let of = |(at, weight): ([f64; 2], f64)| {
+            let markers = [[0, 0], [1, 0], [0, 1]].map(|order| self.marker(element, &bicubic(at, order)));
+            let area = markers[1].reference().cross(&markers[2].reference()).norm();
+            (markers, weight * area)
+        };
+        integration_points().into_iter().map(of).collect()
+    }
+
+    /// Returns the surfaces of the elements, with marks of the edges ξ = 0 and 1, η = 0 and 1 that are edges of the patch.
+    pub fn element_surfaces(&self) -> impl Iterator<Item = (ElementSurface, [[bool; 2]; 2])> + '_ {
+        let [n, m] = self.divisions;
+        (0..n * m).map(move |element| {
+            let own = Self::vectors_of(self.divisions, element);
+            let origin = |i: usize| if i.is_multiple_of(4) { self.origin } else { Vector3::zeros() };
+            let surface = ElementSurface::new(
+                own.map(|i| self.first + 3 * i),
+                own.map(|i| self.reference[i] + origin(i)),
+            );
+            let (i, j) = (element % n, element / n);
+            (surface, [[i == 0, i + 1 == n], [j == 0, j + 1 == m]])
+        })
+    }
+
+    /// Returns the largest length of r_ξ and r_η in the middle of an element.
+    pub fn largest_side(&self) -> f64 {
+        let size = |element: usize| {
+            let sides = [[1, 0], [0, 1]].map(|order| self.marker(element, &bicubic([0.5; 2], order)));
+            sides.iter().map(|side| side.reference().norm()).fold(0.0, f64::max)
+        };
+        (0..self.elements.len()).map(size).fold(0.0, f64::max)
+    }
+
+    /// Returns the points of Simpson's rule on `cells` × `cells` cells of each element, along u first, with their reference areas.
+    pub fn surface_points(&self, cells: usize) -> impl Iterator<Item = (Marker, f64)> + '_ {
+        let [n, m] = self.divisions;
+        (0..n * m).flat_map(move |element| {
+            simpson_points(cells).map(move |(at, weight)| {
+                let of = |order| self.marker(element, &bicubic(at, order));
+                let [t, s] = [[1, 0], [0, 1]].map(|order| of(order).reference());
+                (of([0, 0]), t.cross(&s).norm() * weight)
+            })
+        })
     }
 
     /// Returns the sums Σ m x over parts of the body, one for each element.

@@ -1,6 +1,7 @@
 //! Shells: thin ones of bicubic Hermite elements with Kirchhoff-Love strains, and shear-deformable ones of elements with three or four nodes.
 
 mod element;
+mod element_surface;
 mod hermite;
 mod laminates;
 mod mesh;
@@ -15,6 +16,7 @@ mod surface_state;
 mod surface_stress;
 
 pub use element::Shell48;
+pub use element_surface::ElementSurface;
 pub use hermite::VECTORS;
 pub use laminates::{Laminate, Ply, PlyElasticity, ShellSection, SurfaceMaterial, ThickSection};
 pub use mesh::{ShellEdge, ShellMesh};

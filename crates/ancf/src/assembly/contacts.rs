@@ -3,12 +3,14 @@
 use std::sync::Arc;
 
 use ancf_mechanics::bodies::BodyTerms;
-use ancf_mechanics::contact::{BeamContacts, ContactLaw, ContactTube, Obstacle, ObstacleContacts};
+use ancf_mechanics::contact::{
+    BeamContacts, ContactGeometry, ContactLaw, Obstacle, ObstacleContacts, SurfaceContacts,
+};
 use ancf_mechanics::kinematics::{Attachment, Marker};
 use ancf_solver::equations::{ContactSearch, State};
 use nalgebra::Vector3;
 
-use crate::model::{Contact, IndexedModel, Model};
+use crate::model::{Contact, IndexedModel, Model, ObstacleKind};
 
 /// Depth of the transition, relative to the smallest radius.
 const TRANSITION: f64 = 0.02;
@@ -16,11 +18,11 @@ const TRANSITION: f64 = 0.02;
 const SLIP: f64 = 1e-3;
 
 impl Contact {
-    /// Contact law. `radius` is the smallest radius of the bodies.
-    fn law(&self, model: &Model, radius: f64) -> ContactLaw {
+    /// Contact law with a stiffness. `radius` is the smallest radius of the bodies.
+    fn law(&self, model: &Model, stiffness: f64, radius: f64) -> ContactLaw {
         let creep = model.analysis.dynamics().map_or(1.0, |d| SLIP * model.length() / d.duration);
         ContactLaw {
-            stiffness: self.stiffness,
+            stiffness,
             transition: self.transition.unwrap_or(TRANSITION * radius),
             damping: self.damping,
             friction: self.friction,
@@ -30,19 +32,30 @@ impl Contact {
 }
 
 impl IndexedModel<'_> {
-    /// Contact geometry of a body: a tube with a radius, or the balls of a rigid body.
-    fn tube(&self, contact: &Contact, body: usize, terms: &BodyTerms) -> Option<ContactTube> {
+    /// Contact geometry of a body: a tube with a radius, the surface of a shell, or the balls of a rigid body.
+    fn contact_geometry(&self, contact: &Contact, body: usize, terms: &BodyTerms) -> Option<ContactGeometry> {
         let own = &self.bodies[body];
-        if let Some(mesh) = terms.mesh() {
-            let radius = contact.radius(self, own)?;
-            let length = mesh.length() / mesh.count() as f64;
-            return Some(ContactTube::new(mesh, radius, contact.points(length, radius)));
+        let thickness = own.layup().map_or(0.0, |layup| layup.thickness);
+        let points = |size: f64| contact.points(size, 0.5 * thickness, true);
+        match terms {
+            BodyTerms::Flexible(mesh) => {
+                let radius = contact.radius(self, own)?;
+                let length = mesh.length() / mesh.count() as f64;
+                return Some(ContactGeometry::tube(mesh, radius, contact.points(length, radius, false)));
+            }
+            BodyTerms::Shell(mesh) => {
+                return Some(ContactGeometry::shell(mesh, thickness, points(mesh.largest_side())));
+            }
+            BodyTerms::ShearShell(mesh) => {
+                return Some(ContactGeometry::shear_shell(mesh, thickness, points(mesh.largest_side())));
+            }
+            BodyTerms::Rigid(_) => {}
         }
         let (surface, [centre, _]) = (own.surface()?, own.span());
         // Points of rigid bodies and masses are linear in the coordinates.
         let marker = |point| terms.attachment(0.0, point).point.linear().clone();
         let points: Vec<Marker> = surface.centres(centre).into_iter().map(marker).collect();
-        Some(ContactTube::of_points(points, surface.radius, surface.size(centre)))
+        Some(ContactGeometry::of_points(points, surface.radius, surface.size(centre)))
     }
 
     /// Contact searches of a valid model. Bodies that overlap in the initial state are excluded as joined.
@@ -51,26 +64,65 @@ impl IndexedModel<'_> {
         built: &[(String, BodyTerms)],
         begin: &State,
     ) -> Vec<Arc<dyn ContactSearch>> {
-        let of = |contact: &Contact| -> Option<Arc<dyn ContactSearch>> {
-            let tubes: Vec<ContactTube> =
-                contact.bodies(self).into_iter().filter_map(|i| self.tube(contact, i, &built[i].1)).collect();
-            let thinnest = tubes.iter().map(ContactTube::margin).fold(f64::INFINITY, f64::min);
-            let law = contact.law(self, thinnest);
-            let Some(obstacle) = contact.with.obstacle() else {
-                return Some(Arc::new(BeamContacts::new(tubes, law).with_joined_pairs(begin)));
+        let of = |contact: &Contact| -> Vec<Arc<dyn ContactSearch>> {
+            let geometry = |is_shell: bool| -> Vec<ContactGeometry> {
+                let own = contact.bodies(self).into_iter().filter(|i| self.bodies[*i].is_shell() == is_shell);
+                own.filter_map(|i| self.contact_geometry(contact, i, &built[i].1)).collect()
             };
-            let (shape, point) = (obstacle.shape(), Vector3::from(obstacle.point()));
-            let axis = obstacle.axis().map_or_else(Vector3::x, |(_, axis)| axis.into());
-            let place = obstacle.on().map_or_else(
-                || Attachment::ground(point),
-                |place| {
-                    let held = self.attachment(built, place);
-                    let arm = point - held.point.reference();
-                    held.offset(arm)
-                },
-            );
-            Some(Arc::new(ObstacleContacts::new(&Obstacle::new(shape, place, axis)?, &tubes, law)))
+            let (lines, shells) = (geometry(false), geometry(true));
+            let radii = lines.iter().chain(&shells).map(ContactGeometry::margin);
+            let thinnest = radii.fold(f64::INFINITY, f64::min);
+            let law = |stiffness: Option<f64>| contact.law(self, stiffness.unwrap_or(0.0), thinnest);
+            let laws = [law(contact.stiffness), law(contact.surface_stiffness)];
+            let Some(obstacle) = contact.with.obstacle() else {
+                return Self::mutual_contacts([lines, shells], laws, begin);
+            };
+            let parts = [lines, shells].into_iter().zip(laws).filter(|(bodies, _)| !bodies.is_empty());
+            parts.filter_map(|(bodies, law)| self.obstacle_contacts(obstacle, built, &bodies, law)).collect()
         };
-        self.contacts.iter().filter_map(of).collect()
+        self.contacts.iter().flat_map(of).collect()
+    }
+
+    /// Contact searches of beams and shells with each other.
+    ///
+    /// Points of a shell touch the surfaces of all shells. Each shell is source and target, with half of the stiffness each.
+    fn mutual_contacts(
+        [lines, shells]: [Vec<ContactGeometry>; 2],
+        [law, of_surfaces]: [ContactLaw; 2],
+        begin: &State,
+    ) -> Vec<Arc<dyn ContactSearch>> {
+        let mut searches: Vec<Arc<dyn ContactSearch>> = Vec::new();
+        if !shells.is_empty() {
+            let half = ContactLaw { stiffness: 0.5 * of_surfaces.stiffness, ..of_surfaces };
+            searches.push(Arc::new(SurfaceContacts::new(&shells, &shells, half, begin)));
+            if !lines.is_empty() {
+                searches.push(Arc::new(SurfaceContacts::new(&lines, &shells, law, begin)));
+            }
+        }
+        if !lines.is_empty() {
+            searches.push(Arc::new(BeamContacts::new(lines, law).with_joined_pairs(begin)));
+        }
+        searches
+    }
+
+    /// Contact search of some bodies with an obstacle.
+    fn obstacle_contacts(
+        &self,
+        obstacle: &dyn ObstacleKind,
+        built: &[(String, BodyTerms)],
+        bodies: &[ContactGeometry],
+        law: ContactLaw,
+    ) -> Option<Arc<dyn ContactSearch>> {
+        let (shape, point) = (obstacle.shape(), Vector3::from(obstacle.point()));
+        let axis = obstacle.axis().map_or_else(Vector3::x, |(_, axis)| axis.into());
+        let place = obstacle.on().map_or_else(
+            || Attachment::ground(point),
+            |place| {
+                let held = self.attachment(built, place);
+                let arm = point - held.point.reference();
+                held.offset(arm)
+            },
+        );
+        Some(Arc::new(ObstacleContacts::new(&Obstacle::new(shape, place, axis)?, bodies, law)))
     }
 }

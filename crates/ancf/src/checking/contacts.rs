@@ -23,8 +23,15 @@ fn rules_of_contact(model: &IndexedModel<'_>, path: &str, contact: &Contact) -> 
         if !contact.touches(body) {
             let rigid = |more: &str| format!("{}, which is rigid{more}", quoted(name));
             let (found, expected) = match contact.with.obstacle() {
-                Some(_) => (rigid(" and has no `surface`"), "a beam, a cable or a body with a `surface`"),
-                None => (rigid(""), "a beam or a cable"),
+                Some(_) => {
+                    (rigid(" and has no `surface`"), "a beam, a cable, a shell or a body with a `surface`")
+                }
+                None if body.is_shell() => {
+                    let expected =
+                        "a beam, a cable or a body of the kind \"shell\": this one touches obstacles only";
+                    (format!("{}, a shell with shear", quoted(name)), expected)
+                }
+                None => (rigid(""), "a beam, a cable or a thin shell"),
             };
             findings.push(finding(key, found, expected).rests_on(["bodies".into()]));
         } else if contact.bodies[..i].contains(name) {
@@ -47,6 +54,7 @@ fn rules_of_contact(model: &IndexedModel<'_>, path: &str, contact: &Contact) -> 
     }
     findings.extend(rules_of_carrier(model, path, contact));
     findings.extend(rule_of_partners(model, path, contact));
+    findings.extend(rules_of_stiffness(model, path, contact));
     findings.extend(rules_of_boxes(model, path, contact));
     findings
 }
@@ -58,11 +66,43 @@ fn rule_of_partners(model: &IndexedModel<'_>, path: &str, contact: &Contact) -> 
     }
     let found = "no body that can touch it";
     let expected = match contact.with.obstacle() {
-        Some(_) => "a beam, a cable, or a rigid body or point mass with a `surface`",
-        None => "a beam or a cable",
+        Some(_) => "a beam, a cable, a shell, or a rigid body or point mass with a `surface`",
+        None => "a beam, a cable or a thin shell",
     };
     let error = finding(path.to_owned(), found, expected);
     Some(Finding { absence: true, ..error.rests_on(["bodies".into()]) })
+}
+
+/// Checks that the stiffness of each kind of body in contact is given, and no other, and that some body uses the radius.
+fn rules_of_stiffness(model: &IndexedModel<'_>, path: &str, contact: &Contact) -> Vec<Finding> {
+    let bodies = contact.bodies(model);
+    let of = |is_shell: bool| bodies.iter().map(|i| &model.bodies[*i]).find(|b| b.is_shell() == is_shell);
+    let kinds = [
+        ("stiffness", contact.stiffness, of(false), "bodies other than shells", "force/length²"),
+        ("surface_stiffness", contact.surface_stiffness, of(true), "shells", "force/length³"),
+    ];
+    let rule = |(key, value, body, kind, unit): (&str, Option<f64>, Option<&Body>, &str, &str)| {
+        let error = match (value, body) {
+            (None, Some(body)) => {
+                let found = format!("no key `{key}` for {}", quoted(body.name()));
+                let expected = format!("a number > 0, {unit}, or `bodies` without {kind}");
+                Finding { absence: true, ..finding(format!("{path}.{key}"), found, expected) }
+            }
+            (Some(value), None) if !bodies.is_empty() => {
+                let expected = format!("no such key: the bodies in contact have no {kind}");
+                finding(format!("{path}.{key}"), number(value), expected)
+            }
+            _ => return None,
+        };
+        Some(error.rests_on(["bodies".into(), format!("{path}.bodies")]))
+    };
+    let is_unused = |_: &f64| !bodies.is_empty() && !bodies.iter().any(|i| model.bodies[*i].is_flexible());
+    let radius = contact.radius.filter(is_unused).map(|radius| {
+        let expected = "no such key: no beam or cable is in contact";
+        finding(format!("{path}.radius"), number(radius), expected)
+            .rests_on(["bodies".into(), format!("{path}.bodies")])
+    });
+    kinds.into_iter().filter_map(rule).chain(radius).collect()
 }
 
 /// Rejects boxes in contact with convex obstacles, which touch faces and edges between the corners.

@@ -17,18 +17,25 @@ pub(crate) fn kinds(model: &IndexedModel<'_>) -> Vec<Finding> {
     loads_of(model).flat_map(findings).collect()
 }
 
-/// Checks that each body is in at most one fluid, once.
+/// Checks that each body, or each region of a shell, is in at most one fluid, once.
 pub(crate) fn fluids(model: &IndexedModel<'_>) -> Vec<Finding> {
     let (mut findings, mut wet) = (Vec::new(), Vec::new());
     for (path, load) in loads_of(model) {
-        let Load::Fluid(fluid) = load else { continue };
-        for (i, name) in fluid.bodies.iter().enumerate() {
-            if wet.contains(&name) {
+        let region = match load {
+            Load::Fluid(_) => None,
+            Load::SurfaceFluid(fluid) => fluid.region.as_deref(),
+            _ => continue,
+        };
+        for (key, name) in load.kind().bodies() {
+            let overlaps = |(other, part): &(&str, Option<&str>)| {
+                *other == name && (*part == region || part.is_none() || region.is_none())
+            };
+            if wet.iter().any(overlaps) {
                 let found = format!("{} a second time", quoted(name));
-                let error = finding(format!("{path}.bodies[{i}]"), found, "each body in one fluid, once");
+                let error = finding(format!("{path}.{key}"), found, "each body in one fluid, once");
                 findings.push(error.rests_on(["loads".into()]));
             }
-            wet.push(name);
+            wet.push((name, region));
         }
     }
     findings
@@ -37,7 +44,7 @@ pub(crate) fn fluids(model: &IndexedModel<'_>) -> Vec<Finding> {
 /// Rejects motions of the ground that are undefined: with a fluid, whose current relative to the ground is not known, and rotations
 /// about more than one axis.
 pub(crate) fn bases(model: &IndexedModel<'_>) -> Vec<Finding> {
-    let wet = loads_of(model).any(|(_, load)| matches!(load, Load::Fluid(_)));
+    let wet = loads_of(model).any(|(_, load)| matches!(load, Load::Fluid(_) | Load::SurfaceFluid(_)));
     let mut rotates = false;
     let base = |(path, load): (String, &Load)| {
         let is_rotation = matches!(load, Load::BaseRotation(_));

@@ -74,9 +74,14 @@ fn parts(model: &IndexedModel<'_>) -> Vec<Part> {
 fn contact_points(model: &IndexedModel<'_>, number: usize) -> f64 {
     let contact = &model.contacts[number];
     let points = |body: &Body| {
-        let radius = contact.radius(model, body)?;
         let elements = f64::from(body.elements());
-        Some(elements * contact.points(body.length() / elements, radius) as f64)
+        if let Some(layup) = body.layup() {
+            let points =
+                contact.points((body.area() / elements).sqrt(), 0.5 * layup.thickness, true) as f64 + 1.0;
+            return Some(elements * points * points);
+        }
+        let radius = contact.radius(model, body)?;
+        Some(elements * contact.points(body.length() / elements, radius, false) as f64)
     };
     contact.bodies(model).into_iter().filter_map(|i| points(&model.bodies[i])).sum()
 }

@@ -134,7 +134,11 @@ impl LoadKind for Fluid {
         for (key, name) in self.bodies() {
             let Some((owner, body)) = context.body(name) else { continue };
             let Some((section, _)) = body.section_and_material() else {
-                let what = if body.is_shell() { "a shell, without fluid loads" } else { "which is rigid" };
+                let what = if body.is_shell() {
+                    "a shell, of which the load is a `surface_fluid`"
+                } else {
+                    "which is rigid"
+                };
                 let found = format!("{}, {what}", quoted(name));
                 findings.push(finding(format!("{path}.{key}"), found, "a beam or a cable").rests_on([owner]));
                 continue;

@@ -11,7 +11,7 @@ use super::parts::{CustomLoad, LoadKind};
 use super::point_force::PointForce;
 use super::point_moment::PointMoment;
 use super::prestrain::Prestrain;
-use super::surface::{EdgeForce, EdgeMoment, SurfaceForce, SurfacePressure};
+use super::surface::{EdgeForce, EdgeMoment, SurfaceFluid, SurfaceForce, SurfacePressure};
 use crate::model::{Place, TimeFunction};
 use crate::units::{Scaled, Scales};
 
@@ -65,6 +65,7 @@ load_kinds! {
     EdgeMoment(EdgeMoment),
     SurfaceForce(SurfaceForce),
     SurfacePressure(SurfacePressure),
+    SurfaceFluid(SurfaceFluid),
     BaseAcceleration(BaseAcceleration),
     BaseRotation(BaseRotation),
     Fluid(Fluid),

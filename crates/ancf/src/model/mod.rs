@@ -41,7 +41,7 @@ pub use crate::joints::{
 };
 pub use crate::loads::{
     BaseAcceleration, BaseRotation, DistributedForce, DistributedMoment, EdgeForce, EdgeMoment, ExternalLoad,
-    Fluid, Load, PointForce, PointMoment, SurfaceForce, SurfacePressure,
+    Fluid, Load, PointForce, PointMoment, SurfaceFluid, SurfaceForce, SurfacePressure,
 };
 pub use crate::units::{ScaleChoice, Units};
 pub(crate) use bodies::{ON_AXIS, edge_of_shell, named, region_of_shell, shell_body};

@@ -166,9 +166,11 @@ impl Contact {
             .collect()
     }
 
-    /// True for beams and cables, and for bodies with a surface if the partner is an obstacle.
+    /// True for beams, cables and thin shells, and for other shells and bodies with a surface if the partner is an obstacle.
     pub(crate) fn touches(&self, body: &Body) -> bool {
-        body.is_flexible() || (body.surface().is_some() && self.with.obstacle().is_some())
+        body.is_flexible()
+            || matches!(body, Body::Shell(_))
+            || ((body.is_shell() || body.surface().is_some()) && self.with.obstacle().is_some())
     }
 
     /// Contact radius of a flexible body: as given, or the outer radius of a round, constant section.
@@ -180,9 +182,10 @@ impl Contact {
         self.radius.or_else(own)
     }
 
-    /// Number of contact points per element of a body with a radius.
-    pub(crate) fn points(&self, length: f64, radius: f64) -> usize {
+    /// Number of contact points per element of a body with a radius, of a shell in each direction.
+    pub(crate) fn points(&self, length: f64, radius: f64, is_shell: bool) -> usize {
         let spacing = match self.with.obstacle().map(ObstacleKind::shape) {
+            None if is_shell => f64::INFINITY,
             Some(ObstacleShape::Plane) => f64::INFINITY,
             Some(ObstacleShape::Sphere { radius: r, .. } | ObstacleShape::Cylinder { radius: r, .. }) => {
                 0.25 * (r + radius)

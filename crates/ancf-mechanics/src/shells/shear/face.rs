@@ -114,6 +114,14 @@ impl Face {
         }
     }
 
+    /// Returns the area in (ξ, η) that a point of [`grid_point`](Self::grid_point) stands for, relative to that in the square.
+    pub(crate) fn grid_factor(&self, [_, y]: [f64; 2]) -> f64 {
+        match self {
+            Self::Triangle(_) => 1.0 - y,
+            Self::Quad(_) => 1.0,
+        }
+    }
+
     /// Returns the weights of the nodes at a place.
     pub fn weights(&self, at: [f64; 2]) -> [f64; NODES] {
         self.shape().values(at)[0]

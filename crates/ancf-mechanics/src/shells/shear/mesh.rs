@@ -13,6 +13,7 @@ use super::topology::MeshTopology;
 use crate::inertia::MassVisitor;
 use crate::kinematics::{
     Attachment, Directions, Marker, NodalVector, SectionFrame, VectorKind, gauss2, round_to_zero,
+    simpson_points,
 };
 
 /// Place on a mesh: an element and (ξ, η) in it, from 0 to 1.
@@ -241,6 +242,35 @@ impl ShearShellMesh {
         let direction = |e: Vector3<f64>| Marker::combined((0..2).map(|k| (e.dot(&dual[k]), &tangents[k])));
         let frame = SectionFrame::new([&direction(along), &direction(normal.cross(&along))], 1.0);
         Attachment { point: self.point(place).into(), directions: Directions::Surface(frame) }
+    }
+
+    /// Returns the length of the longest edge of an element.
+    pub fn largest_side(&self) -> f64 {
+        let edges = self.faces.iter().flat_map(Face::edges);
+        edges.map(|[a, b]| (self.reference[b][0] - self.reference[a][0]).norm()).fold(0.0, f64::max)
+    }
+
+    /// Returns the points of Simpson's rule on `cells` × `cells` cells of each element, line by line, with their reference areas.
+    pub fn surface_points(&self, cells: usize) -> impl Iterator<Item = (Marker, f64)> + '_ {
+        (0..self.faces.len()).flat_map(move |element| {
+            simpson_points(cells).map(move |(cell, weight)| {
+                let face = &self.faces[element];
+                let place = SurfacePlace { element, at: face.grid_point(cell) };
+                let [t, s] = self.tangents(place).map(|tangent| tangent.reference());
+                (self.point(place), t.cross(&s).norm() * face.grid_factor(cell) * weight)
+            })
+        })
+    }
+
+    /// Returns the points r, tangents r_ξ and r_η and areas at the integration points of an element.
+    pub(crate) fn flow_points(&self, element: usize) -> Vec<([Marker; 3], f64)> {
+        let of = |(at, weight): &([f64; 2], f64)| {
+            let place = SurfacePlace { element, at: *at };
+            let [a, b] = self.tangents(place);
+            let area = a.reference().cross(&b.reference()).norm();
+            ([self.point(place), a, b], weight * area)
+        };
+        self.faces[element].shape().points().iter().map(of).collect()
     }
 
     /// Returns the sums Σ m x over parts of the body, one for each element.

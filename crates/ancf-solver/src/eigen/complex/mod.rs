@@ -6,7 +6,8 @@ mod mass_ratios;
 mod nonconservative;
 mod quadratic_operator;
 mod skew_operator;
+mod skew_ratio;
 
 pub use damped::{DampedMode, DampedModes, damped_modes};
 pub use nonconservative::{ComplexMode, nonconservative_modes};
-pub use skew_operator::skew_ratio;
+pub use skew_ratio::skew_ratio;

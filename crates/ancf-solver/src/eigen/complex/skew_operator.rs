@@ -1,4 +1,3 @@
-use faer::Mat;
 use nalgebra::{DMatrix, DVector, Dyn, LU};
 
 use super::arnoldi::ArnoldiOperator;
@@ -107,22 +106,4 @@ impl ArnoldiOperator for SkewOperator<'_> {
         product.truncate(self.coordinates);
         product.into()
     }
-}
-
-/// Computes the largest ratio |x̄ᵀ A x| / x̄ᵀ K x over complex x with Φ_q x = 0, for a K that is positive definite there.
-///
-/// It bounds |Im ω²|/Re ω² of all modes of K + A (Bendixson 1902). With K⁻¹ on the coordinates of A, A = E S Eᵀ, the ratio is
-/// the spectral radius of S Eᵀ K⁻¹ E.
-///
-/// # Errors
-/// If K is singular or A has too many coordinates.
-pub fn skew_ratio(eom: &dyn EquationsOfMotion, matrix: SparseMatrix, s: &State) -> Result<f64, EigenError> {
-    let interrupt = Interrupt::default();
-    let skew = SkewOperator::new(eom, matrix, s, 0.0, &interrupt)?;
-    let count = skew.places.len();
-    let picked = DMatrix::from_fn(count, count, |i, j| skew.correction[(skew.places[i], j)]);
-    let product: DMatrix<f64> = &skew.skew * picked;
-    let product = Mat::from_fn(count, count, |i, j| product[(i, j)]);
-    let values = product.eigenvalues().map_err(|_| EigenError::NotConverged)?;
-    Ok(values.iter().map(|value| value.norm()).fold(0.0, f64::max))
 }

@@ -1,5 +1,5 @@
 /// Maximum number of unknowns (coordinates and multipliers) of one term. Local arrays are kept on the stack.
-pub const LOCAL: usize = 64;
+pub const LOCAL: usize = 96;
 
 /// State variables of a term: its own coordinates and multipliers in local order.
 #[derive(Clone, Copy, Debug)]

@@ -190,20 +190,31 @@ fn rules_of_probes(model: &IndexedModel<'_>) -> Vec<Finding> {
     on_shells.filter_map(rule).collect()
 }
 
-/// Rejects contacts that would include shells, which have no contact.
+/// Rejects contacts with shells as partners, and of thin shells with obstacles on beams.
 fn rules_of_contacts(model: &IndexedModel<'_>) -> Vec<Finding> {
     let contacts = model.contacts.iter().enumerate();
     let rule = |(i, contact): (usize, &crate::model::Contact)| {
         let path = format!("contacts[{i}]");
         if contact.with.on().is_some_and(|place| is_on_shell(model, place)) {
-            let expected = "a beam, a rigid body or the ground: shells have no contact";
+            let expected = "a beam, a rigid body or the ground: a shell carries no obstacle";
             return Some(
                 finding(format!("{path}.with.on.body"), "a shell", expected).rests_on(["bodies".into()]),
             );
         }
-        contact.bodies.is_empty().then(|| {
-            let expected = "the names of the bodies in contact: shells have no contact";
-            let error = finding(path, "no `bodies` in a model with a shell", expected);
+        let is_on_beam = contact.with.on().is_some_and(|place| {
+            model.named(&place.body).is_some_and(|(_, body)| matches!(body, Body::Beam(_)))
+        });
+        let is_thin = || contact.bodies(model).into_iter().any(|i| matches!(model.bodies[i], Body::Shell(_)));
+        if is_on_beam && is_thin() {
+            let found = "an obstacle on a beam in contact with a thin shell";
+            let expected = "a rigid body or the ground, or a shell of the kind \"shear_shell\"";
+            let error = finding(format!("{path}.with.on.body"), found, expected);
+            return Some(error.rests_on(["bodies".into(), format!("{path}.bodies")]));
+        }
+        let has_other = || model.bodies.iter().any(|body| matches!(body, Body::ShearShell(_)));
+        (contact.bodies.is_empty() && contact.with.obstacle().is_none() && has_other()).then(|| {
+            let expected = "the names of the bodies in contact: shells with shear touch obstacles only";
+            let error = finding(path, "no `bodies` in a model with a shell with shear", expected);
             Finding { absence: true, ..error.rests_on(["bodies".into()]) }
         })
     };

@@ -68,9 +68,15 @@ impl<'a> LoadBuilder<'a> {
 
     /// Mesh and data of a shear-deformable shell of a name.
     pub(in crate::loads) fn shear_shell(&self, name: &str) -> Option<(&'a ShearShellMesh, &'a ShearShell)> {
+        let (body, built) = self.body(name)?;
+        built.shear_shell().zip(body.shear_shell())
+    }
+
+    /// Body of a name in the model, with its terms.
+    pub(in crate::loads) fn body(&self, name: &str) -> Option<(&'a Body, &'a BodyTerms)> {
         let (_, body) = self.context.body(name)?;
         let (_, built) = self.bodies.iter().find(|(own, _)| own == name)?;
-        built.shear_shell().zip(body.shear_shell())
+        Some((body, built))
     }
 
     /// Mesh of a thin shell of a name.

@@ -2,10 +2,12 @@
 
 mod edge_force;
 mod edge_moment;
+mod surface_fluid;
 mod surface_force;
 mod surface_pressure;
 
 pub use edge_force::EdgeForce;
 pub use edge_moment::EdgeMoment;
+pub use surface_fluid::SurfaceFluid;
 pub use surface_force::SurfaceForce;
 pub use surface_pressure::SurfacePressure;

@@ -4,14 +4,14 @@ use serde::{Deserialize, Serialize};
 use super::surface::ContactSurface;
 use crate::units::Scaled;
 
-/// Contact of bodies with an obstacle or with each other. Beams and cables are round tubes about their axes. Rigid bodies and
-/// point masses have the surface that they state, in contact with obstacles only.
+/// Contact of bodies with an obstacle or with each other. Beams and cables are round tubes about their axes, and shells have their
+/// thickness. Rigid bodies and point masses have the surface that they state. They and shells with shear touch obstacles only.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(deny_unknown_fields)]
 pub struct Contact {
     /// Contact partner of the bodies.
     pub with: ContactSurface,
-    /// Names of the beams and cables, and of bodies with a `surface`; all except the body that carries the obstacle by default.
+    /// Names of the beams, cables and shells, and of bodies with a `surface`; all except the body that carries the obstacle by default.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub bodies: Vec<String>,
     /// Radius of the beams and cables, length; that of circles and tubes by default.
@@ -19,15 +19,21 @@ pub struct Contact {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub radius: Option<f64>,
-    /// Contact points of each element; by default a number that resolves the obstacle and the radius.
+    /// Contact points of each element, of a shell in each direction and odd; by default a number that resolves the obstacle and the radius.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(range(min = 1, max = 10000))]
     pub points: Option<u32>,
-    /// Force per length of a body and per depth, force/length².
+    /// Force per length of a body and per depth, force/length²; required with bodies other than shells.
     #[unit(force / length^2)]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(extend("exclusiveMinimum" = 0))]
-    pub stiffness: f64,
-    /// Depth over which the stiffness grows from zero, length; 1/50 of the smallest radius by default.
+    pub stiffness: Option<f64>,
+    /// Pressure on a shell per depth, force/length³; required with shells.
+    #[unit(force / length^3)]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub surface_stiffness: Option<f64>,
+    /// Depth over which the stiffness grows from zero, length; 1/50 of the smallest radius or half thickness by default.
     #[unit(length)]
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(extend("exclusiveMinimum" = 0))]

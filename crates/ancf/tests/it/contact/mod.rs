@@ -5,5 +5,7 @@ mod cables;
 mod crossing;
 mod forces;
 mod models;
+mod mutual_shells;
 mod search;
+mod shells;
 mod surfaces;

@@ -1,7 +1,7 @@
 //! Search of contact pairs, and momenta of contact forces.
 
 use ancf::assembly::Assembly;
-use ancf::mechanics::contact::{BeamContacts, ContactLaw, ContactTube};
+use ancf::mechanics::contact::{BeamContacts, ContactGeometry, ContactLaw};
 use ancf::solver::equations::{ContactSearch, EquationsOfMotion, Local, State, Term};
 use nalgebra::Vector3;
 
@@ -48,8 +48,10 @@ fn energy(term: &dyn Term, s: &State) -> f64 {
 fn search_finds_all_active_pairs() {
     let assembly = bodies("");
     let law = ContactLaw { stiffness: 1e6, transition: 1e-4, damping: 0.0, friction: 0.0, slip_speed: 1.0 };
-    let skins: Vec<ContactTube> =
-        assembly.bodies().filter_map(|(_, body)| Some(ContactTube::new(body.mesh()?, 0.01, 7))).collect();
+    let skins: Vec<ContactGeometry> = assembly
+        .bodies()
+        .filter_map(|(_, body)| Some(ContactGeometry::tube(body.mesh()?, 0.01, 7)))
+        .collect();
     let elements: usize = assembly.bodies().filter_map(|(_, body)| Some(body.mesh()?.count())).sum();
     let contacts = BeamContacts::new(skins, law);
     let (rest, mut random, mut acting) = (assembly.rest(), Random(7), 0);

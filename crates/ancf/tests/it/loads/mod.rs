@@ -6,5 +6,7 @@ mod functions;
 mod line_loads;
 mod moments;
 mod prestrain;
+mod shell_fluids;
+mod skew_ratios;
 mod supplied;
 mod variations;

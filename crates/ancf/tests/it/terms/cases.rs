@@ -20,6 +20,7 @@ use super::joint_terms::joint_terms;
 use super::kind::TermKind;
 use super::shear_shells::shear_shell_terms;
 use super::shells::shell_terms;
+use super::surface_flows::surface_flow_terms;
 use crate::common::models::beams::{BY_KIND, BeamCase, beam_cases};
 use crate::common::models::cables;
 
@@ -182,6 +183,7 @@ pub(super) fn terms() -> Vec<TermCase> {
         .chain([external()])
         .chain(shell_terms())
         .chain(shear_shell_terms())
+        .chain(surface_flow_terms())
         .chain(rotating_frames())
         .chain(prestrains())
         .collect()

@@ -15,3 +15,4 @@ mod shells;
 mod steps;
 mod stress_prediction;
 mod stress_stiffness;
+mod surface_flows;

@@ -23,7 +23,7 @@ fn nodes() -> [Vector3<f64>; 4] {
 }
 
 /// Thick plate of one ply, or of two different ones.
-fn medium(is_laminate: bool, damping: [f64; 2]) -> ShearMedium {
+pub(super) fn medium(is_laminate: bool, damping: [f64; 2]) -> ShearMedium {
     let ply = |young: [f64; 2], angle: f64, density: f64| Ply {
         elasticity: PlyElasticity { young, poisson: 0.25, shear: 0.5, transverse_shear: [0.5, 0.2] },
         density,

@@ -2,14 +2,14 @@ use nalgebra::Vector3;
 
 /// Box with faces parallel to the axes.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct AlignedBox {
+pub(in crate::contact) struct AlignedBox {
     lower: Vector3<f64>,
     upper: Vector3<f64>,
 }
 
 impl AlignedBox {
     /// Creates the smallest box of some points, enlarged by a margin.
-    pub(super) fn around(points: &[Vector3<f64>], margin: f64) -> Self {
+    pub(in crate::contact) fn around(points: &[Vector3<f64>], margin: f64) -> Self {
         let (lower, upper) = (points[0], points[0]);
         let all = points
             .iter()
@@ -17,8 +17,14 @@ impl AlignedBox {
         Self { lower: all.lower.add_scalar(-margin), upper: all.upper.add_scalar(margin) }
     }
 
-    fn with(&self, other: &Self) -> Self {
+    /// Returns the smallest box that contains both.
+    pub(in crate::contact) fn with(&self, other: &Self) -> Self {
         Self { lower: self.lower.inf(&other.lower), upper: self.upper.sup(&other.upper) }
+    }
+
+    /// Returns true if a point is in the box.
+    pub(in crate::contact) fn contains(&self, point: &Vector3<f64>) -> bool {
+        (0..3).all(|i| self.lower[i] <= point[i] && point[i] <= self.upper[i])
     }
 
     fn overlaps(&self, other: &Self) -> bool {
@@ -30,7 +36,7 @@ impl AlignedBox {
 ///
 /// It is built in each search, in O(n log n). A tree that follows the motion would be faster to update, but would depend on the
 /// history.
-pub(super) struct BoxTree<'a> {
+pub(in crate::contact) struct BoxTree<'a> {
     boxes: &'a [AlignedBox],
     /// Indices of the boxes. Those of a node are consecutive.
     order: Vec<u32>,
@@ -51,7 +57,7 @@ const LEAF: usize = 4;
 
 impl<'a> BoxTree<'a> {
     /// Creates a tree. Nodes are halved along the longest edge of their boxes' centres.
-    pub(super) fn new(boxes: &'a [AlignedBox]) -> Self {
+    pub(in crate::contact) fn new(boxes: &'a [AlignedBox]) -> Self {
         let order = (0..boxes.len() as u32).collect();
         let mut tree = Self { boxes, order, nodes: Vec::with_capacity(2 * boxes.len() / LEAF + 1) };
         if !boxes.is_empty() {
@@ -78,7 +84,7 @@ impl<'a> BoxTree<'a> {
     }
 
     /// Calls `visit` once for each pair of boxes that overlap, smaller index first.
-    pub(super) fn visit_pairs(&self, mut visit: impl FnMut(usize, usize)) {
+    pub(in crate::contact) fn visit_pairs(&self, mut visit: impl FnMut(usize, usize)) {
         if !self.nodes.is_empty() {
             self.visit_within(0, &mut visit);
         }

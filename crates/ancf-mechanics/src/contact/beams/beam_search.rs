@@ -5,10 +5,11 @@ use nalgebra::Vector3;
 
 use super::axis_curve::{AxisCurve, AxisHull};
 use super::beam_contact::{BeamContact, ContactElement};
-use super::box_tree::{AlignedBox, BoxTree};
-use super::contact_tube::ContactTube;
-use super::crossing::{SMALLEST_DISTANCE, SPACING};
 use super::end_planes::EndPlanes;
+use crate::contact::parts::{
+    AlignedBox, BoxTree, ContactGeometry, ContactPoint, JOINED_OVERLAP, MAX_SAMPLES, SMALLEST_DISTANCE,
+    SPACING,
+};
 use crate::kinematics::ElementAxis;
 use crate::laws::ContactLaw;
 
@@ -19,7 +20,7 @@ use crate::laws::ContactLaw;
 /// contact. Examples are neighbours on an axis, or beams at a joint.
 #[derive(Debug)]
 pub struct BeamContacts {
-    tubes: Vec<ContactTube>,
+    tubes: Vec<ContactGeometry>,
     law: ContactLaw,
     /// Body and local index of each element and each point, in the order of the bodies.
     elements: Vec<(usize, usize)>,
@@ -29,12 +30,6 @@ pub struct BeamContacts {
     joined: Vec<ContactPair>,
 }
 
-/// Overlap in the reference state, relative to the sum of the radii, above which two parts count as joined.
-const JOINED_OVERLAP: f64 = 0.01;
-
-/// Maximum number of states that are checked between two states.
-const MAX_SAMPLES: f64 = 1000.0;
-
 /// Axis of an element in a state.
 struct ElementShape {
     curve: AxisCurve,
@@ -43,8 +38,8 @@ struct ElementShape {
 
 impl BeamContacts {
     /// Creates the search for all pairs of the given bodies, including each body with itself.
-    pub fn new(tubes: Vec<ContactTube>, law: ContactLaw) -> Self {
-        let numbered = |count: &dyn Fn(&ContactTube) -> usize| -> Vec<(usize, usize)> {
+    pub fn new(tubes: Vec<ContactGeometry>, law: ContactLaw) -> Self {
+        let numbered = |count: &dyn Fn(&ContactGeometry) -> usize| -> Vec<(usize, usize)> {
             let of = |(body, tube)| (0..count(tube)).map(move |i| (body, i));
             tubes.iter().enumerate().flat_map(of).collect()
         };
@@ -86,7 +81,7 @@ impl BeamContacts {
         &self.tubes[body].axes[k]
     }
 
-    fn tube(&self, element: usize) -> &ContactTube {
+    fn tube(&self, element: usize) -> &ContactGeometry {
         &self.tubes[self.elements[element].0]
     }
 
@@ -180,7 +175,8 @@ impl BeamContacts {
             return None;
         }
         let all = self.tubes.iter().flat_map(|tube| &tube.points);
-        let farthest = all.map(|point| (point.value(to) - point.value(from)).norm()).fold(0.0, f64::max);
+        let farthest =
+            all.map(|point| (point.place.value(to) - point.place.value(from)).norm()).fold(0.0, f64::max);
         let count = count(farthest).min(MAX_SAMPLES);
         if count <= 1.0 {
             return None;
@@ -216,12 +212,14 @@ impl BeamContacts {
         let ((body, i), element) = (self.points[point as usize], element as usize);
         let own = &self.tubes[body];
         let radii = own.radius + self.tube(element).radius;
-        BeamContact::new(&own.points[i], self.axis(element), self.ends(element), radii, own.length, self.law)
+        let ContactPoint { place, extent } = &own.points[i];
+        BeamContact::new(place, self.axis(element), self.ends(element), radii, *extent, self.law)
     }
 
     /// Returns an element of a group with the points that have no contact with the other one.
     fn element(&self, own: usize, other: usize) -> ContactElement<'_> {
-        let ContactTube { count, length, .. } = *self.tube(own);
+        let tube = self.tube(own);
+        let (count, length) = (tube.count, tube.points[0].extent);
         let except = (0..count).filter(|&i| self.is_joined(self.pair([own, other], i))).collect();
         ContactElement { axis: self.axis(own), ends: self.ends(own), count, length, except }
     }
@@ -261,7 +259,7 @@ impl ContactSearch for BeamContacts {
         self.between(from, to, |_, between| {
             let pair = self.deep(between)?;
             let is_new = !self.contact(pair).overlaps(from, 1.0 - SMALLEST_DISTANCE);
-            is_new.then(|| self.contact(pair).coordinates().first().copied()).flatten()
+            is_new.then(|| self.contact(pair).coordinates.first().copied()).flatten()
         })
     }
 

@@ -3,12 +3,13 @@ use nalgebra::{SMatrix, SVector, Vector3};
 use num_dual::DualSVec64;
 
 use super::obstacle::{Obstacle, ObstacleShape, combine, components};
+use crate::contact::parts::ContactPoint;
 use crate::kinematics::{Marker, Real, add_symmetric};
 use crate::laws::ContactLaw;
 
-/// Contact between points of a beam axis and an [`Obstacle`], for the length of beam that each point represents.
+/// Contact between points of a body and an [`Obstacle`], for the length of beam or the area of shell that each point represents.
 ///
-/// With d = p − c, the directions X = [x y z] of the carrier, a = X α and the gap g(d, a) minus the radius of the beam,
+/// With d = p − c, the directions X = [x y z] of the carrier, a = X α and the gap g(d, a) minus the radius of the body,
 /// N acts along ∂g/∂d on d and αₖ ∂g/∂a on xₖ. The friction f acts at p on the beam. On the carrier it acts as if the
 /// carrier extended to p: −f on c and −ρₖ f on xₖ, ρ = X⁻¹d, with the relative velocity w = ḋ − Ẋ ρ. Momentum and
 /// angular momentum of both bodies are therefore conserved. The friction of a rope on a pulley has the same lever as
@@ -18,13 +19,12 @@ use crate::laws::ContactLaw;
 pub struct ObstacleContact {
     shape: ObstacleShape,
     axis: Vector3<f64>,
-    /// Vector d of each point.
-    points: Vec<Marker>,
+    /// Points with their vectors d.
+    points: Vec<ContactPoint>,
     /// Directions of the carrier.
     directions: [Marker; 3],
     coordinates: Vec<usize>,
     radius: f64,
-    length: f64,
     law: ContactLaw,
 }
 
@@ -32,50 +32,44 @@ pub struct ObstacleContact {
 type MarkerValues<D> = SVector<D, 12>;
 
 impl ObstacleContact {
-    /// Creates the contact of a point of a beam with a radius. The point represents a length of the beam.
+    /// Creates the contact of a point of a body with a radius.
     ///
     /// Returns `None` if the point and the carrier of the obstacle have more than [`LOCAL`] coordinates.
-    pub fn new(
-        obstacle: &Obstacle,
-        point: &Marker,
-        radius: f64,
-        length: f64,
-        law: ContactLaw,
-    ) -> Option<Self> {
-        let contact = Self::of_points(obstacle, std::slice::from_ref(point), radius, length, law);
+    pub fn new(obstacle: &Obstacle, point: &ContactPoint, radius: f64, law: ContactLaw) -> Option<Self> {
+        let contact = Self::of_points(obstacle, std::slice::from_ref(point), radius, law);
         (contact.coordinates.len() <= LOCAL).then_some(contact)
     }
 
     /// Creates the contact of several points.
     pub(super) fn of_points(
         obstacle: &Obstacle,
-        points: &[Marker],
+        points: &[ContactPoint],
         radius: f64,
-        length: f64,
         law: ContactLaw,
     ) -> Self {
         let Obstacle { shape, centre, directions, axis } = obstacle;
-        let from_centre = |point: &Marker| Marker::combined([(1.0, point), (-1.0, centre)]);
-        let points: Vec<Marker> = points.iter().map(from_centre).collect();
-        let coordinates = Marker::union_coordinates(points.iter().chain(directions));
-        let points = points.iter().map(|point| point.within(&coordinates)).collect();
+        let from_centre = |point: &ContactPoint| Marker::combined([(1.0, &point.place), (-1.0, centre)]);
+        let vectors: Vec<Marker> = points.iter().map(from_centre).collect();
+        let coordinates = Marker::union_coordinates(vectors.iter().chain(directions));
+        let vectors = vectors.iter().map(|vector| vector.within(&coordinates)).zip(points);
+        let points = vectors.map(|(vector, point)| ContactPoint::new(vector, point.extent)).collect();
         let directions = directions.each_ref().map(|direction| direction.within(&coordinates));
-        Self { shape: *shape, axis: *axis, points, directions, coordinates, radius, length, law }
+        Self { shape: *shape, axis: *axis, points, directions, coordinates, radius, law }
     }
 
     /// Returns a vector with the directions of the carrier.
-    fn markers<'a>(&'a self, point: &'a Marker) -> [&'a Marker; 4] {
+    fn markers<'a>(&'a self, point: &'a ContactPoint) -> [&'a Marker; 4] {
         let [x, y, z] = &self.directions;
-        [point, x, y, z]
+        [&point.place, x, y, z]
     }
 
     /// Returns the sums of the markers over a vector q or v.
-    fn sums(&self, point: &Marker, of: &[f64]) -> MarkerValues<f64> {
+    fn sums(&self, point: &ContactPoint, of: &[f64]) -> MarkerValues<f64> {
         stacked(self.markers(point).map(|marker| marker.sum(of)))
     }
 
     /// Returns the values of the markers.
-    fn values(&self, point: &Marker, q: &[f64]) -> MarkerValues<f64> {
+    fn values(&self, point: &ContactPoint, q: &[f64]) -> MarkerValues<f64> {
         stacked(self.markers(point).map(|marker| marker.reference() + marker.sum(q)))
     }
 
@@ -85,12 +79,12 @@ impl ObstacleContact {
     }
 
     /// Calls `visit` with each point that touches the obstacle, and the values of its markers.
-    fn visit(&self, q: &[f64], mut visit: impl FnMut(&Marker, &MarkerValues<f64>)) {
+    fn visit(&self, q: &[f64], mut visit: impl FnMut(&ContactPoint, &MarkerValues<f64>)) {
         let value = |marker: &Marker| marker.reference() + marker.sum(q);
         let directions = self.directions.each_ref().map(value);
         let a = combine(&directions, &self.axis);
         for point in &self.points {
-            let d = value(point);
+            let d = value(&point.place);
             if self.shape.gap(&d, &a).0 < self.radius {
                 let [x, y, z] = directions;
                 visit(point, &stacked([d, x, y, z]));
@@ -98,12 +92,12 @@ impl ObstacleContact {
         }
     }
 
-    /// Computes the generalised forces on d, x, y and z.
-    fn forces<D: Real>(&self, x: &MarkerValues<D>, v: &MarkerValues<D>) -> MarkerValues<D> {
+    /// Computes the generalised forces on d, x, y and z of a point that represents an extent.
+    fn forces<D: Real>(&self, extent: f64, x: &MarkerValues<D>, v: &MarkerValues<D>) -> MarkerValues<D> {
         let ([d, axes @ ..], [rate, spins @ ..]) = (parts(x), parts(v));
         let (gap, n, b) = self.shape.gap(&d, &combine(&axes, &self.axis));
         let closing = n.dot(&rate) + b.dot(&combine(&spins, &self.axis));
-        let normal = self.law.smooth_normal(gap - self.radius, closing) * self.length;
+        let normal = self.law.smooth_normal(gap - self.radius, closing) * extent;
         let reach = components(&axes, &d);
         let relative_velocity: Vector3<D> =
             spins.iter().zip(&reach).map(|(spin, r)| spin.map(|x| x * *r)).fold(rate, |w, part| w - part);
@@ -123,30 +117,36 @@ impl ObstacleContact {
     }
 
     /// Adds forces on the vectors to the rows of a residual.
-    fn add_forces(&self, point: &Marker, forces: &MarkerValues<f64>, rows: &mut [f64]) {
+    fn add_forces(&self, point: &ContactPoint, forces: &MarkerValues<f64>, rows: &mut [f64]) {
         let markers = self.markers(point);
         markers.into_iter().zip(parts(forces)).for_each(|(marker, force)| marker.add(-force, rows));
     }
 
     /// Computes the derivative by d of the force on d from a fixed obstacle, along dx = w_q z, dv = w_v z.
-    fn fixed_slope(&self, x: &MarkerValues<f64>, v: &MarkerValues<f64>, w: Weights) -> SMatrix<f64, 3, 3> {
+    fn fixed_slope(&self, extent: f64, [x, v]: [&MarkerValues<f64>; 2], w: Weights) -> SMatrix<f64, 3, 3> {
         let ([d, axes @ ..], [rate, ..]) = (parts(x), parts(v));
         let a = combine(&axes, &self.axis);
         let (gap, n, _) = self.shape.gap(&d, &a);
         let [by_place, by_rate] = self.law.slopes(gap - self.radius, &n, &self.shape.bend(&d, &a), &rate);
-        (by_place * w.q + by_rate * w.v) * self.length
+        (by_place * w.q + by_rate * w.v) * extent
     }
 
-    /// Computes ∂(forces)/∂z along dx = w_q z, dv = w_v z.
-    fn slope(&self, x: &MarkerValues<f64>, v: &MarkerValues<f64>, w: Weights) -> SMatrix<f64, 12, 12> {
+    /// Computes ∂(forces)/∂z of a point that represents an extent along dx = w_q z, dv = w_v z.
+    fn slope(&self, extent: f64, [x, v]: [&MarkerValues<f64>; 2], w: Weights) -> SMatrix<f64, 12, 12> {
         let moved = |x: &MarkerValues<f64>, z: &MarkerValues<DualSVec64<12>>, w: f64| {
             MarkerValues::from_fn(|i, _| z[i] * w + x[i])
         };
-        num_dual::jacobian(|z| self.forces(&moved(x, &z, w.q), &moved(v, &z, w.v)), &MarkerValues::zeros()).1
+        let forces = |z| self.forces(extent, &moved(x, &z, w.q), &moved(v, &z, w.v));
+        num_dual::jacobian(forces, &MarkerValues::zeros()).1
     }
 
     /// Returns the multiple of ε that bounds the errors of the force, and ρ and |∂g/∂a| for those on the carrier.
-    fn rounding_bound(&self, point: &Marker, x: &MarkerValues<f64>, at: &Local<'_>) -> (f64, [f64; 3], f64) {
+    fn rounding_bound(
+        &self,
+        point: &ContactPoint,
+        x: &MarkerValues<f64>,
+        at: &Local<'_>,
+    ) -> (f64, [f64; 3], f64) {
         let [d, axes @ ..] = parts(x);
         let gap = self.gap(x);
         let tilt: f64 =
@@ -159,17 +159,17 @@ impl ObstacleContact {
                 (radius, if inside { radius - reach } else { radius + reach })
             }
         };
-        let place = point.size(at.q) + d.norm() * tilt;
+        let place = point.place.size(at.q) + d.norm() * tilt;
         let reach = components(&axes, &d);
         let [rate, spins @ ..] = parts(&self.sums(point, at.v));
-        let velocity_error = point.sum_of_sizes(at.v)
+        let velocity_error = point.place.sum_of_sizes(at.v)
             + (0..3).map(|k| reach[k].abs() * self.directions[k].sum_of_sizes(at.v)).sum::<f64>()
             + spins.iter().map(|spin| spin.norm()).sum::<f64>() * place;
         let turned = tilt + place / distance;
         let (_, _, b) = self.shape.gap(&d, &combine(&axes, &self.axis));
         let speed = rate.norm() + b.norm() * combine(&spins, &self.axis).norm();
         let errors = [place + self.radius + round, turned, velocity_error];
-        (self.law.rounding(gap, speed, errors) * self.length, reach, b.norm())
+        (self.law.rounding(gap, speed, errors) * point.extent, reach, b.norm())
     }
 }
 
@@ -192,7 +192,9 @@ impl Term for ObstacleContact {
     }
 
     fn residual(&self, at: &Local<'_>, r: &mut [f64]) {
-        self.visit(at.q, |point, x| self.add_forces(point, &self.forces(x, &self.sums(point, at.v)), r));
+        self.visit(at.q, |point, x| {
+            self.add_forces(point, &self.forces(point.extent, x, &self.sums(point, at.v)), r)
+        });
     }
 
     /// Relative errors of d and the directions affect the normal. Errors of the gap and the velocities affect the
@@ -214,9 +216,9 @@ impl Term for ObstacleContact {
         self.visit(at.q, |point, x| {
             let v = self.sums(point, at.v);
             if is_fixed {
-                add_symmetric(&[point], &self.fixed_slope(x, &v, w), -1.0, k);
+                add_symmetric(&[&point.place], &self.fixed_slope(point.extent, [x, &v], w), -1.0, k);
             } else {
-                add_symmetric(&self.markers(point), &self.slope(x, &v, w), -1.0, k);
+                add_symmetric(&self.markers(point), &self.slope(point.extent, [x, &v], w), -1.0, k);
             }
         });
     }
@@ -238,7 +240,7 @@ impl Term for ObstacleContact {
             let energies = [gaps[0], gaps[2]].map(|gap| self.law.energy(gap));
             let pressures = gaps.map(|gap| self.law.pressure(gap));
             let excess =
-                (ContactLaw::discrete_force(energies, change, pressures) - pressures[1]) * self.length;
+                (ContactLaw::discrete_force(energies, change, pressures) - pressures[1]) * point.extent;
             let [x, y, z] = [0, 1, 2].map(|k| b * (excess * self.axis[k]));
             self.add_forces(point, &stacked([normal * excess, x, y, z]), r);
         }
@@ -246,7 +248,7 @@ impl Term for ObstacleContact {
 
     fn energy(&self, at: &Local<'_>) -> Energy {
         let mut strain = 0.0;
-        self.visit(at.q, |_, x| strain += self.length * self.law.energy(self.gap(x)));
+        self.visit(at.q, |point, x| strain += point.extent * self.law.energy(self.gap(x)));
         Energy { strain, ..Energy::default() }
     }
 
@@ -256,7 +258,8 @@ impl Term for ObstacleContact {
 
     fn damping_forces(&self, at: &Local<'_>, r: &mut [f64]) {
         self.visit(at.q, |point, x| {
-            let [moving, still] = [self.sums(point, at.v), MarkerValues::zeros()].map(|v| self.forces(x, &v));
+            let [moving, still] =
+                [self.sums(point, at.v), MarkerValues::zeros()].map(|v| self.forces(point.extent, x, &v));
             self.add_forces(point, &(moving - still), r);
         });
     }

@@ -2,13 +2,7 @@
 
 use nalgebra::Vector3;
 
-use crate::kinematics::Marker;
-
-/// Smallest distance of two axes, or of a point and the centre of an obstacle, relative to the sum of the radii. A
-/// contact force at smaller distances is close to its reversal.
-pub(super) const SMALLEST_DISTANCE: f64 = 0.5;
-/// Largest spacing of positions that are checked, relative to the sum of the radii.
-pub(super) const SPACING: f64 = 0.25;
+use crate::contact::parts::{ContactPoint, SMALLEST_DISTANCE, SPACING};
 
 /// Returns the part of a straight line between two vectors at which it is nearest to the origin.
 fn nearest(from: &Vector3<f64>, to: &Vector3<f64>) -> f64 {
@@ -27,12 +21,12 @@ fn passes(from: &Vector3<f64>, to: &Vector3<f64>) -> bool {
         && (from.norm() >= SMALLEST_DISTANCE || from.dot(to) < 0.0)
 }
 
-/// Returns a point of a tube that passes through an obstacle between two states, from the radial vectors of its points.
+/// Returns a point of a line of points that passes through an obstacle between two states, from the radial vectors of its points.
 ///
-/// Positions between two points of the tube are interpolated, since an obstacle may fit between them.
+/// Positions between two points of the line are interpolated, since an obstacle may fit between them.
 pub(super) fn obstacle_crossing<'a>(
-    points: impl Iterator<Item = (&'a Marker, [Vector3<f64>; 2])>,
-) -> Option<&'a Marker> {
+    points: impl Iterator<Item = (&'a ContactPoint, [Vector3<f64>; 2])>,
+) -> Option<&'a ContactPoint> {
     let mut last: Option<[Vector3<f64>; 2]> = None;
     for (point, here) in points {
         let [before, after] = last.unwrap_or(here);

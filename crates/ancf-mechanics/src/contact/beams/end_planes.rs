@@ -1,7 +1,7 @@
 use nalgebra::Vector3;
 
 use super::axis_curve::AxisCurve;
-use super::point_contact::NODE_TRANSITION;
+use crate::contact::parts::NODE_TRANSITION;
 
 /// Planes at both ends of an element. A point beyond one of them has no contact with the element, but with a neighbour.
 ///
@@ -58,7 +58,7 @@ impl EndPlanes {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::contact::point_contact::Foot;
+    use crate::contact::parts::Foot;
     use crate::kinematics::ElementAxis;
 
     /// An element has no share in the contact of points beyond its planes, at any curvature.
@@ -77,7 +77,7 @@ mod tests {
             let curve = AxisCurve::new(&axis, &[0.0; 12], &Vector3::zeros());
             let (point, distance) = (vector(0.3) + Vector3::x() * f64::from(case % 2), 0.2);
             let near = (point - curve.point(curve.closest(&point))).norm() < distance;
-            let foot = Foot::new(&point, &curve, 1.0, [false; 2]);
+            let foot = Foot::on_axis(&point, &curve, 1.0, [false; 2]);
             if EndPlanes::new(&curve, [false; 2], distance).are_passed(&point) {
                 passed += usize::from(near);
                 assert!(!near || foot.is_none());
@@ -100,7 +100,7 @@ mod tests {
                 let mut ends = [false; 2];
                 ends[end] = free;
                 assert_eq!(EndPlanes::new(&curve, ends, 0.2).are_passed(&point), !free);
-                assert_eq!(Foot::new(&point, &curve, 1.0, ends).is_some(), free);
+                assert_eq!(Foot::on_axis(&point, &curve, 1.0, ends).is_some(), free);
             }
         }
     }

@@ -4,26 +4,25 @@ use std::sync::Arc;
 use ancf_solver::equations::{ContactGroup, ContactPair, ContactSearch, State, Term};
 use nalgebra::Vector3;
 
-use super::contact_tube::ContactTube;
 use super::crossing::{obstacle_crossing, obstacle_passing};
 use super::obstacle::Obstacle;
 use super::obstacle_contact::ObstacleContact;
-use crate::kinematics::Marker;
+use crate::contact::parts::{ContactGeometry, ContactPoint};
 use crate::laws::ContactLaw;
 
 /// Contact search between bodies and one obstacle. A pair is a point and 0, a group is a part of the points of an element and 0.
 #[derive(Debug)]
 pub struct ObstacleContacts {
     obstacle: Obstacle,
-    tubes: Vec<ContactTube>,
+    bodies: Vec<ContactGeometry>,
     law: ContactLaw,
-    /// Tube and points of each group, and the index of its first point.
+    /// Body and points of each group, and the index of its first point.
     groups: Vec<PointGroup>,
 }
 
 #[derive(Debug)]
 struct PointGroup {
-    tube: usize,
+    body: usize,
     points: Range<usize>,
     first: usize,
 }
@@ -33,53 +32,55 @@ const GROUP: usize = 8;
 
 impl ObstacleContacts {
     /// Creates the search for every point of some bodies. The search margin is one radius.
-    pub fn new(obstacle: &Obstacle, tubes: &[ContactTube], law: ContactLaw) -> Self {
+    pub fn new(obstacle: &Obstacle, bodies: &[ContactGeometry], law: ContactLaw) -> Self {
         let (mut groups, mut first) = (Vec::new(), 0);
-        for (number, tube) in tubes.iter().enumerate() {
-            for element in (0..tube.points.len()).step_by(tube.count.max(1)) {
-                let end = element + tube.count;
+        for (number, body) in bodies.iter().enumerate() {
+            for element in (0..body.points.len()).step_by(body.count.max(1)) {
+                let end = element + body.count;
                 for start in (element..end).step_by(GROUP) {
                     let points = start..end.min(start + GROUP);
-                    groups.push(PointGroup { tube: number, first: first + start, points });
+                    groups.push(PointGroup { body: number, first: first + start, points });
                 }
             }
-            first += tube.points.len();
+            first += body.points.len();
         }
-        Self { obstacle: obstacle.clone(), tubes: tubes.to_vec(), law, groups }
+        Self { obstacle: obstacle.clone(), bodies: bodies.to_vec(), law, groups }
     }
 
     /// Returns the points of a group.
-    fn points(&self, PointGroup { tube, points, .. }: &PointGroup) -> &[Marker] {
-        &self.tubes[*tube].points[points.clone()]
+    fn points(&self, PointGroup { body, points, .. }: &PointGroup) -> &[ContactPoint] {
+        &self.bodies[*body].points[points.clone()]
     }
 
     /// Visits all groups with the gaps of their points, relative to the search margin.
     fn visit(&self, s: &State, mut visit: impl FnMut(usize, &PointGroup, &mut dyn Iterator<Item = f64>)) {
         let pose = self.obstacle.pose(&s.q);
         for (i, group) in self.groups.iter().enumerate() {
-            let ContactTube { radius, margin, .. } = self.tubes[group.tube];
-            let distance = |point: &Marker| (pose.gap(&point.value(s)) - radius) / margin;
+            let ContactGeometry { radius, margin, .. } = self.bodies[group.body];
+            let distance = |point: &ContactPoint| (pose.gap(&point.place.value(s)) - radius) / margin;
             visit(i, group, &mut self.points(group).iter().map(distance));
         }
     }
 
-    fn contact(&self, tube: usize, points: &[Marker]) -> Arc<dyn Term> {
-        let ContactTube { radius, length, .. } = self.tubes[tube];
-        Arc::new(ObstacleContact::of_points(&self.obstacle, points, radius, length, self.law))
+    fn contact(&self, body: usize, points: &[ContactPoint]) -> Arc<dyn Term> {
+        let radius = self.bodies[body].radius;
+        Arc::new(ObstacleContact::of_points(&self.obstacle, points, radius, self.law))
     }
 
-    /// Returns the points of each tube, as vectors from the obstacle over the sum of the radii.
+    /// Returns the lines of points of each body, as vectors from the obstacle over the sum of the radii.
     fn radial<'a>(
         &'a self,
         from: &'a State,
         to: &'a State,
-    ) -> impl Iterator<Item = impl Iterator<Item = (&'a Marker, [Vector3<f64>; 2])>> {
+    ) -> impl Iterator<Item = impl Iterator<Item = (&'a ContactPoint, [Vector3<f64>; 2])>> {
         let poses = [from, to].map(|s| self.obstacle.pose(&s.q));
-        let convex = if poses[0].is_convex() { &*self.tubes } else { &[] };
-        convex.iter().map(move |tube| {
-            tube.points.iter().filter_map(move |point| {
+        let convex = if poses[0].is_convex() { &*self.bodies } else { &[] };
+        let lines =
+            convex.iter().flat_map(|body| body.points.chunks(body.line).map(|line| (line, body.radius)));
+        lines.map(move |(line, radius)| {
+            line.iter().filter_map(move |point| {
                 let [before, after] = [(&poses[0], from), (&poses[1], to)]
-                    .map(|(pose, s)| pose.radial(&point.value(s), tube.radius));
+                    .map(|(pose, s)| pose.radial(&point.place.value(s), radius));
                 Some((point, [before?, after?]))
             })
         })
@@ -113,7 +114,7 @@ impl ContactSearch for ObstacleContacts {
 
     fn crossing(&self, from: &State, to: &State) -> Option<usize> {
         let passing = self.radial(from, to).find_map(obstacle_crossing)?;
-        self.obstacle.coordinates(passing).next()
+        self.obstacle.coordinates(&passing.place).next()
     }
 
     fn passing(&self, from: &State, to: &State) -> Option<f64> {
@@ -124,11 +125,11 @@ impl ContactSearch for ObstacleContacts {
         let at = self.groups.partition_point(|group| group.first <= point as usize) - 1;
         let group = &self.groups[at];
         let i = point as usize - group.first;
-        self.contact(group.tube, &self.points(group)[i..=i])
+        self.contact(group.body, &self.points(group)[i..=i])
     }
 
     fn group_term(&self, [group, _]: ContactGroup) -> Arc<dyn Term> {
         let group = &self.groups[group as usize];
-        self.contact(group.tube, self.points(group))
+        self.contact(group.body, self.points(group))
     }
 }

@@ -1,0 +1,10 @@
+//! Contact of bodies with obstacles.
+
+mod crossing;
+mod obstacle;
+mod obstacle_contact;
+mod obstacle_search;
+
+pub use obstacle::{Obstacle, ObstacleShape};
+pub use obstacle_contact::ObstacleContact;
+pub use obstacle_search::ObstacleContacts;

@@ -1,0 +1,97 @@
+use crate::bodies::BeamMesh;
+use crate::kinematics::{ElementAxis, Marker};
+use crate::shells::{ElementSurface, ShearShellMesh, ShellMesh};
+
+/// Contact geometry of a body: a round tube about its axis, the balls of a rigid body, or the middle surface of a shell with
+/// its thickness, with contact points on it.
+#[derive(Clone, Debug)]
+pub struct ContactGeometry {
+    pub(in crate::contact) axes: Vec<ElementAxis>,
+    pub(in crate::contact) surfaces: Vec<SurfaceGeometry>,
+    pub(in crate::contact) points: Vec<ContactPoint>,
+    /// Number of points per element.
+    pub(in crate::contact) count: usize,
+    /// Number of consecutive points between which the body extends.
+    pub(in crate::contact) line: usize,
+    /// Radius of the tube or the balls, or half the thickness of the shell.
+    pub(in crate::contact) radius: f64,
+    /// Search margin.
+    pub(in crate::contact) margin: f64,
+}
+
+/// Surface of an element of a thin shell.
+#[derive(Clone, Debug)]
+pub(in crate::contact) struct SurfaceGeometry {
+    pub(in crate::contact) surface: ElementSurface,
+    /// Free edges: ξ = 0 and ξ = 1, η = 0 and η = 1.
+    pub(in crate::contact) free: [[bool; 2]; 2],
+}
+
+/// Contact point of a body.
+#[derive(Clone, Debug)]
+pub struct ContactPoint {
+    /// Position of the point, or its vector from an obstacle.
+    pub(in crate::contact) place: Marker,
+    /// Length of beam or area of shell that the point represents.
+    pub(in crate::contact) extent: f64,
+}
+
+impl ContactPoint {
+    /// Creates a point of a body that represents a length of beam or an area of shell.
+    pub const fn new(place: Marker, extent: f64) -> Self {
+        Self { place, extent }
+    }
+}
+
+/// Search margin of points without a radius, relative to the size of their body.
+const POINT_MARGIN: f64 = 0.05;
+
+/// Returns the cells of Simpson's rule in each direction of an element, for at least a number of points.
+const fn cells(count: usize) -> usize {
+    if count < 3 { 1 } else { count / 2 }
+}
+
+impl ContactGeometry {
+    /// Creates the tube of a body with a radius and a number of points per element.
+    pub fn tube(mesh: &BeamMesh, radius: f64, count: usize) -> Self {
+        let all = mesh.count() * count;
+        let length = mesh.length() / all as f64;
+        let point = |i: usize| ContactPoint::new(mesh.point((i as f64 + 0.5) * length), length);
+        let points: Vec<_> = (0..all).map(point).collect();
+        let axes = mesh.element_axes().collect();
+        Self { axes, surfaces: Vec::new(), points, count, line: all, radius, margin: radius }
+    }
+
+    /// Creates the balls of a rigid body about its points. They share the size of the body as the length.
+    pub fn of_points(points: Vec<Marker>, radius: f64, size: f64) -> Self {
+        let count = points.len();
+        let points = points.into_iter().map(|place| ContactPoint::new(place, size / count as f64)).collect();
+        let margin = radius.max(POINT_MARGIN * size);
+        Self { axes: Vec::new(), surfaces: Vec::new(), points, count, line: count, radius, margin }
+    }
+
+    /// Creates the surface of a thin shell with a thickness and at least `count` points per element in each direction.
+    pub fn shell(mesh: &ShellMesh, thickness: f64, count: usize) -> Self {
+        let points = mesh.surface_points(cells(count)).map(|(place, area)| ContactPoint::new(place, area));
+        let surfaces =
+            mesh.element_surfaces().map(|(surface, free)| SurfaceGeometry { surface, free }).collect();
+        Self { surfaces, ..Self::of_surface(points.collect(), thickness, 2 * cells(count) + 1) }
+    }
+
+    /// Creates the surface of a shear-deformable shell with a thickness and at least `count` points per element in each direction.
+    pub fn shear_shell(mesh: &ShearShellMesh, thickness: f64, count: usize) -> Self {
+        let points = mesh.surface_points(cells(count)).map(|(place, area)| ContactPoint::new(place, area));
+        Self::of_surface(points.collect(), thickness, 2 * cells(count) + 1)
+    }
+
+    fn of_surface(points: Vec<ContactPoint>, thickness: f64, count: usize) -> Self {
+        let radius = 0.5 * thickness;
+        let (axes, surfaces) = (Vec::new(), Vec::new());
+        Self { axes, surfaces, points, count: count * count, line: count, radius, margin: radius }
+    }
+
+    /// Returns the radius, or the search margin of points without a radius.
+    pub const fn margin(&self) -> f64 {
+        self.margin
+    }
+}

@@ -1,0 +1,150 @@
+use nalgebra::{Matrix2, Vector3};
+use smallvec::SmallVec;
+
+use super::bicubic_surface::{BicubicSurface, CONVEX, derivatives};
+use super::edge_planes::EdgePlanes;
+use crate::contact::parts::{
+    AlignedBox, ClosestContact, ContactPartners, ContactPoint, ContactPose, Foot, FootErrors, FootWeight,
+    PointContact, share, sorted,
+};
+use crate::laws::ContactLaw;
+use crate::shells::{ElementSurface, VECTORS};
+
+/// Contact between points of a body and the middle surface of an element of another or the same thin shell.
+pub type SurfaceContact = ClosestContact<SurfacePartners, 2>;
+
+/// Points of a body and the surface of an element in contact.
+#[derive(Clone, Debug)]
+pub struct SurfacePartners {
+    surface: ElementSurface,
+    /// Free edges of the element: ξ = 0 and ξ = 1, η = 0 and η = 1.
+    free: [[bool; 2]; 2],
+    points: Vec<ContactPoint>,
+}
+
+impl SurfaceContact {
+    /// Creates the contact of some points with an element. `radius` is the sum of the radius of the points and half the thickness.
+    ///
+    /// `free` marks the edges ξ = 0 and ξ = 1, and η = 0 and η = 1, beyond which the shell does not continue.
+    pub fn new(
+        points: &[ContactPoint],
+        surface: &ElementSurface,
+        free: [[bool; 2]; 2],
+        radius: f64,
+        law: ContactLaw,
+    ) -> Self {
+        let of_points = points.iter().flat_map(|point| point.place.coordinates());
+        let coordinates = sorted(of_points.chain(surface.coordinates()));
+        let local = |point: &ContactPoint| ContactPoint::new(point.place.within(&coordinates), point.extent);
+        let points = points.iter().map(local).collect();
+        let partners = SurfacePartners { surface: surface.within(&coordinates), free, points };
+        Self { partners, coordinates, radius, law }
+    }
+}
+
+impl Foot<2> {
+    /// Finds the foot of a point on an element, if the element has a share in the contact. `free` marks its free edges.
+    pub(super) fn on_surface(
+        point: &Vector3<f64>,
+        surface: &BicubicSurface,
+        free: [[bool; 2]; 2],
+    ) -> Option<Self> {
+        let at = surface.closest(point);
+        let values = surface.at(at);
+        let d = point - values[0];
+        let (gradient, bent, metric) = derivatives(&d, &values);
+        let moves = [0, 1].map(|k| at[k] > 0.0 && at[k] < 1.0);
+        let mut share_of_all = 1.0;
+        for k in 0..2 {
+            let other = 1 - k;
+            // Second derivative along the line on which the other parameter is at its optimum.
+            let coupled = if moves[other] { bent[(0, 1)].powi(2) / bent[(other, other)] } else { 0.0 };
+            let divisor = (bent[(k, k)] - coupled).max(CONVEX * metric[(k, k)]);
+            share_of_all *= share(at[k], gradient[k] / divisor, free[k]);
+        }
+        if share_of_all <= 0.0 {
+            return None;
+        }
+        let compliance = match moves {
+            [true, true] => bent.try_inverse().unwrap_or_else(Matrix2::zeros),
+            [false, false] => Matrix2::zeros(),
+            [first, _] => {
+                let (mut compliance, k) = (Matrix2::zeros(), usize::from(!first));
+                compliance[(k, k)] = bent[(k, k)].recip();
+                compliance
+            }
+        };
+        let compliance = [0, 1].map(|a| [0, 1].map(|b| compliance[(a, b)]));
+        Some(Self { at, share: share_of_all, d, slopes: [values[1], values[2]], compliance })
+    }
+}
+
+/// Geometry of a contact in a state.
+#[derive(Debug)]
+pub struct SurfacePose<'a> {
+    partners: &'a SurfacePartners,
+    radius: f64,
+    law: &'a ContactLaw,
+    q: &'a [f64],
+    /// Origin of the surface. Differences of positions have smaller rounding errors.
+    origin: Vector3<f64>,
+    surface: BicubicSurface,
+    hull: AlignedBox,
+    planes: EdgePlanes,
+}
+
+impl ContactPartners<2> for SurfacePartners {
+    type Pose<'a> = SurfacePose<'a>;
+
+    fn pose<'a>(&'a self, q: &'a [f64], (radius, law): (f64, &'a ContactLaw)) -> SurfacePose<'a> {
+        let origin = self.surface.first_node(q);
+        let surface = BicubicSurface::new(&self.surface, q, &origin);
+        let (hull, planes) = (surface.hull(radius), EdgePlanes::new(&surface, self.free, radius));
+        SurfacePose { partners: self, radius, law, q, origin, surface, hull, planes }
+    }
+}
+
+impl SurfacePose<'_> {
+    fn point(&self, i: usize) -> Vector3<f64> {
+        let place = &self.partners.points[i].place;
+        place.reference() - self.origin + place.sum(self.q)
+    }
+}
+
+impl ContactPose<2> for SurfacePose<'_> {
+    fn visit_near(&self, visit: &mut dyn FnMut([usize; 2])) {
+        for i in 0..self.partners.points.len() {
+            let point = self.point(i);
+            if self.hull.contains(&point) && !self.planes.are_passed(&point) {
+                visit([0, i]);
+            }
+        }
+    }
+
+    fn with_foot(&self, [_, i]: [usize; 2], visit: &mut dyn FnMut(&PointContact<'_, 2>)) {
+        let ContactPoint { place, extent } = &self.partners.points[i];
+        let Some(foot) = Foot::on_surface(&self.point(i), &self.surface, self.partners.free) else { return };
+        let [values, x, y] = ElementSurface::weights(foot.at);
+        let of_point =
+            place.parts().iter().map(|&(first, place)| FootWeight { first, place, slopes: [0.0; 2] });
+        let vectors = self.partners.surface.vectors();
+        let of_surface =
+            (0..VECTORS).map(|a| FootWeight { first: vectors[a], place: -values[a], slopes: [x[a], y[a]] });
+        let weights: SmallVec<[FootWeight<2>; 32]> = of_point.chain(of_surface).collect();
+        let (law, radius) = (self.law, self.radius);
+        visit(&PointContact { law, radius, size: *extent, foot, weights: &weights, range: 1.0 });
+    }
+
+    fn is_nearer(&self, limit: f64) -> bool {
+        (0..self.partners.points.len()).any(|i| {
+            let point = self.point(i);
+            self.hull.contains(&point)
+                && (point - self.surface.point(self.surface.closest(&point))).norm() < limit
+        })
+    }
+
+    fn errors(&self, [_, i]: [usize; 2], at: [f64; 2]) -> FootErrors<2> {
+        let [sizes, x, y] = self.partners.surface.sizes(self.q, at);
+        (self.partners.points[i].place.size(self.q) + sizes, [x, y])
+    }
+}

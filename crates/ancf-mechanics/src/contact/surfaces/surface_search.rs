@@ -1,0 +1,281 @@
+use std::ops::Range;
+use std::sync::Arc;
+
+use ancf_solver::equations::{ContactGroup, ContactPair, ContactSearch, State, Term};
+use nalgebra::Vector3;
+
+use super::bicubic_surface::BicubicSurface;
+use super::edge_planes::EdgePlanes;
+use super::surface_contact::SurfaceContact;
+use crate::contact::parts::{
+    AlignedBox, BoxTree, ContactGeometry, ContactPoint, Foot, JOINED_OVERLAP, MAX_SAMPLES, SMALLEST_DISTANCE,
+    SPACING, SurfaceGeometry,
+};
+use crate::laws::ContactLaw;
+
+/// Contact search between points of bodies and the surfaces of thin shells. A pair is a point and an element of a shell, a group
+/// is the points of an element of a body and an element of a shell.
+///
+/// Pairs that overlap in the reference state by more than 1 % of the radii count as joined and have no contact. Examples are the
+/// points of an element and the element itself, or a beam on a shell.
+#[derive(Debug)]
+pub struct SurfaceContacts {
+    sources: Vec<PointSource>,
+    points: Vec<ContactPoint>,
+    targets: Vec<Target>,
+    law: ContactLaw,
+    joined: Vec<ContactPair>,
+}
+
+/// Points of an element of a body.
+#[derive(Debug)]
+struct PointSource {
+    points: Range<usize>,
+    radius: f64,
+}
+
+/// Element of a shell.
+#[derive(Debug)]
+struct Target {
+    geometry: SurfaceGeometry,
+    radius: f64,
+}
+
+/// Source and target.
+type Candidate = [usize; 2];
+
+impl SurfaceContacts {
+    /// Creates the search for the points of some bodies and the elements of some thin shells.
+    ///
+    /// Pairs that overlap in a state are joined.
+    pub fn new(
+        bodies: &[ContactGeometry],
+        shells: &[ContactGeometry],
+        law: ContactLaw,
+        begin: &State,
+    ) -> Self {
+        let (mut sources, mut points) = (Vec::new(), Vec::new());
+        for body in bodies {
+            for part in body.points.chunks(body.count.max(1)) {
+                let first = points.len();
+                points.extend_from_slice(part);
+                sources.push(PointSource { points: first..points.len(), radius: body.radius });
+            }
+        }
+        let of = |shell: &ContactGeometry| {
+            let radius = shell.radius;
+            let target = move |geometry: &SurfaceGeometry| Target { geometry: geometry.clone(), radius };
+            shell.surfaces.iter().map(target).collect::<Vec<_>>()
+        };
+        let targets = shells.iter().flat_map(of).collect();
+        let mut search = Self { sources, points, targets, law, joined: Vec::new() };
+        search.joined = search.overlapping(begin);
+        search
+    }
+
+    /// Returns the pairs that overlap in a state by more than the limit of joined ones.
+    fn overlapping(&self, s: &State) -> Vec<ContactPair> {
+        let (positions, surfaces, mut found) = (self.positions(s), self.surfaces(s), Vec::new());
+        self.visit_candidates(&positions, &surfaces, 0.0, |[source, target]| {
+            let limit = (1.0 - JOINED_OVERLAP) * self.radii([source, target]);
+            let hull = surfaces[target].hull(limit);
+            for i in self.sources[source].points.clone() {
+                let (point, surface) = (&positions[i], &surfaces[target]);
+                if hull.contains(point) && (point - surface.point(surface.closest(point))).norm() < limit {
+                    found.push([i as u32, target as u32]);
+                }
+            }
+        });
+        found.sort_unstable();
+        found
+    }
+
+    /// Returns the sum of the radii.
+    fn radii(&self, [source, target]: Candidate) -> f64 {
+        self.sources[source].radius + self.targets[target].radius
+    }
+
+    fn is_joined(&self, point: usize, target: usize) -> bool {
+        self.joined.binary_search(&[point as u32, target as u32]).is_ok()
+    }
+
+    fn positions(&self, s: &State) -> Vec<Vector3<f64>> {
+        self.points.iter().map(|point| point.place.value(s)).collect()
+    }
+
+    fn surfaces(&self, s: &State) -> Vec<BicubicSurface> {
+        let of = |target: &Target| BicubicSurface::new(&target.geometry.surface, &s.q, &Vector3::zeros());
+        self.targets.iter().map(of).collect()
+    }
+
+    /// Visits the sources and targets whose boxes are nearer than the sum of their radii and `margin` times this sum.
+    fn visit_candidates(
+        &self,
+        positions: &[Vector3<f64>],
+        surfaces: &[BicubicSurface],
+        margin: f64,
+        visit: impl FnMut(Candidate),
+    ) {
+        let of_source = |source: &PointSource| {
+            AlignedBox::around(&positions[source.points.clone()], source.radius * (1.0 + margin))
+        };
+        let of_target =
+            |(surface, target): (&BicubicSurface, &Target)| surface.hull(target.radius * (1.0 + margin));
+        let sources = self.sources.iter().map(of_source);
+        self.visit_pairs(sources.chain(surfaces.iter().zip(&self.targets).map(of_target)).collect(), visit);
+    }
+
+    /// Visits the sources and targets whose boxes overlap. Boxes are those of the sources and then of the targets.
+    fn visit_pairs(&self, boxes: Vec<AlignedBox>, mut visit: impl FnMut(Candidate)) {
+        let first = self.sources.len();
+        BoxTree::new(&boxes).visit_pairs(|a, b| {
+            if a < first && b >= first {
+                visit([a, b - first]);
+            }
+        });
+    }
+
+    /// Visits the points of a candidate that have contact or may soon have it, with their distance relative to the radii.
+    fn visit_points(
+        &self,
+        candidate @ [source, target]: Candidate,
+        positions: &[Vector3<f64>],
+        surface: &BicubicSurface,
+        mut visit: impl FnMut(usize, f64),
+    ) {
+        let (radii, free) = (self.radii(candidate), self.targets[target].geometry.free);
+        let (hull, mut planes) = (surface.hull(2.0 * radii), None);
+        for i in self.sources[source].points.clone() {
+            let point = &positions[i];
+            if !hull.contains(point) || self.is_joined(i, target) {
+                continue;
+            }
+            if planes.get_or_insert_with(|| EdgePlanes::new(surface, free, radii)).are_passed(point) {
+                continue;
+            }
+            if let Some(foot) = Foot::on_surface(point, surface, free) {
+                let distance = foot.d.norm() / radii - 1.0;
+                if distance <= 1.0 {
+                    visit(i, distance);
+                }
+            }
+        }
+    }
+
+    /// Visits the near points of all candidates with their distances.
+    fn visit_near(&self, s: &State, mut visit: impl FnMut(Candidate, usize, f64)) {
+        let (positions, surfaces) = (self.positions(s), self.surfaces(s));
+        self.visit_candidates(&positions, &surfaces, 1.0, |candidate| {
+            let surface = &surfaces[candidate[1]];
+            self.visit_points(candidate, &positions, surface, |i, distance| visit(candidate, i, distance));
+        });
+    }
+
+    /// Returns the first result of `find` for a point and an element that move relative to each other by more than a quarter of
+    /// their radii between two states, at the checked parts of the straight line.
+    ///
+    /// `find` receives the point, the target, the part, and the distances at the start, there and at the end relative to the radii.
+    fn between<T>(
+        &self,
+        [from, to]: [&State; 2],
+        mut find: impl FnMut([usize; 2], f64, [f64; 3]) -> Option<T>,
+    ) -> Option<T> {
+        let ends = [from, to].map(|s| (self.positions(s), self.surfaces(s)));
+        let [(starts, before), (stops, after)] = &ends;
+        let of_source = |source: &PointSource| {
+            let places = source.points.clone();
+            let all: Vec<_> = starts[places.clone()].iter().chain(&stops[places]).copied().collect();
+            AlignedBox::around(&all, source.radius)
+        };
+        let of_target =
+            |k: usize| before[k].hull(self.targets[k].radius).with(&after[k].hull(self.targets[k].radius));
+        let targets = (0..self.targets.len()).map(of_target);
+        let boxes = self.sources.iter().map(of_source).chain(targets).collect();
+        let mut found = None;
+        self.visit_pairs(boxes, |candidate @ [source, target]| {
+            let radii = self.radii(candidate);
+            for i in self.sources[source].points.clone() {
+                if found.is_some() || self.is_joined(i, target) {
+                    continue;
+                }
+                let moved = stops[i] - starts[i];
+                let net = before[target].all_points().zip(after[target].all_points());
+                let relative = net.map(|(a, b)| (moved - (b - a)).norm()).fold(0.0, f64::max);
+                let count = (relative / (SPACING * radii)).ceil().min(MAX_SAMPLES);
+                if count <= 1.0 {
+                    continue;
+                }
+                let distance = |part: f64| {
+                    let surface = before[target].between(&after[target], part);
+                    let point = starts[i] + moved * part;
+                    (point - surface.point(surface.closest(&point))).norm() / radii
+                };
+                let [first, last] = [0.0, 1.0].map(distance);
+                found = (1..count as usize).find_map(|k| {
+                    let part = k as f64 / count;
+                    find([i, target], part, [first, distance(part), last])
+                });
+            }
+        });
+        found
+    }
+}
+
+impl ContactSearch for SurfaceContacts {
+    fn near(&self, s: &State) -> Vec<(ContactPair, f64)> {
+        let mut near = Vec::new();
+        self.visit_near(s, |[_, target], i, distance| near.push(([i as u32, target as u32], distance)));
+        near.sort_unstable_by_key(|(pair, _)| *pair);
+        near
+    }
+
+    fn near_groups(&self, s: &State) -> Vec<(ContactGroup, f64)> {
+        let mut near: Vec<(ContactGroup, f64)> = Vec::new();
+        self.visit_near(s, |candidate, _, distance| {
+            let group = candidate.map(|k| k as u32);
+            match near.last_mut().filter(|(last, _)| *last == group) {
+                Some((_, least)) => *least = least.min(distance),
+                None => near.push((group, distance)),
+            }
+        });
+        near.sort_unstable_by_key(|(group, _)| *group);
+        near
+    }
+
+    fn contains(&self, [source, target]: ContactGroup) -> bool {
+        (source as usize) < self.sources.len() && (target as usize) < self.targets.len()
+    }
+
+    fn crossing(&self, from: &State, to: &State) -> Option<usize> {
+        self.between([from, to], |[point, _], _, [before, here, _]| {
+            let is_crossing = here < SMALLEST_DISTANCE && before >= SMALLEST_DISTANCE;
+            is_crossing.then(|| self.points[point].place.coordinates().next()).flatten()
+        })
+    }
+
+    fn passing(&self, from: &State, to: &State) -> Option<f64> {
+        self.between([from, to], |_, part, [before, here, after]| {
+            (here < 1.0 && before >= 1.0 && after >= 1.0).then_some(part)
+        })
+    }
+
+    fn term(&self, [point, target]: ContactPair) -> Arc<dyn Term> {
+        let (point, target) = (point as usize, target as usize);
+        let source = self.sources.partition_point(|source| source.points.end <= point);
+        Arc::new(self.contact(&self.points[point..=point], [source, target]))
+    }
+
+    fn group_term(&self, [source, target]: ContactGroup) -> Arc<dyn Term> {
+        let candidate @ [source, target] = [source as usize, target as usize];
+        let open = self.sources[source].points.clone().filter(|i| !self.is_joined(*i, target));
+        let points: Vec<ContactPoint> = open.map(|i| self.points[i].clone()).collect();
+        Arc::new(self.contact(&points, candidate))
+    }
+}
+
+impl SurfaceContacts {
+    fn contact(&self, points: &[ContactPoint], candidate: Candidate) -> SurfaceContact {
+        let SurfaceGeometry { surface, free } = &self.targets[candidate[1]].geometry;
+        SurfaceContact::new(points, surface, *free, self.radii(candidate), self.law)
+    }
+}

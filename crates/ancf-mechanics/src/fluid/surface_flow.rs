@@ -1,0 +1,216 @@
+use std::sync::Arc;
+
+use ancf_solver::equations::{Energy, Local, LocalMatrix, Term, Weights};
+use nalgebra::{SMatrix, Vector3};
+
+use super::flow_field::{FlowField, FluidMotion, HydroCoefficients, HydroSurface, RelativeFlow};
+use crate::bodies::BodyTerms;
+use crate::kinematics::{Marker, add_symmetric, visit_skew};
+use crate::shells::{ShearShellMesh, ShellMesh};
+
+/// Hydrodynamic or aerodynamic load of one element of a shell: drag, lift, added mass and buoyancy.
+///
+/// Per undeformed area, with the normal n of the surface, the relative velocity of the fluid w = u − ṙ, its normal part w_n = n·w, its
+/// part w_t = w − n w_n in the surface, and the thickness h:
+///
+/// f = ½ρ (C_n |w_n| + C_l |w_t|) w_n n + ½ρ C_t |w_t| w_t + ρh u̇ + ρ a (n·(u̇ − r̈)) n − ρh g.
+///
+/// A plate at the angle of attack α thus has the normal force ½ρ w² (C_n sin²α + C_l sin α cos α), with C_l = 2π of a thin airfoil in
+/// attached flow. C_t is the friction of both faces. The added mass ρ a of a strip of the width b has the mean a = π b/4. Drag, lift,
+/// buoyancy and the terms of u̇ are loads, which the load factor multiplies. Energies are those of
+/// [`MorisonLoad`](super::MorisonLoad).
+///
+/// The tangent contains the symmetric parts of the derivatives; the skew parts are stated.
+///
+/// Source: Morison et al. (1950); Sarpkaya & Isaacson (1981) for plates.
+#[derive(Clone, Debug)]
+pub struct SurfaceFlowLoad {
+    coordinates: Vec<usize>,
+    fluid: Arc<FlowField>,
+    stations: Vec<SurfaceStation>,
+}
+
+/// Quadrature point of a surface.
+#[derive(Clone, Debug)]
+struct SurfaceStation {
+    point: Marker,
+    tangents: [Marker; 2],
+    coefficients: HydroCoefficients,
+}
+
+/// State of the surface at a point.
+struct StationState {
+    tangents: [Vector3<f64>; 2],
+    flow: RelativeFlow,
+}
+
+impl SurfaceStation {
+    fn state(&self, at: &Local<'_>, fluid: &FluidMotion) -> StationState {
+        let tangents = self.tangents.each_ref().map(|t| t.reference() + t.sum(at.q));
+        let normal = tangents[0].cross(&tangents[1]);
+        let stretch = normal.norm();
+        let flow = RelativeFlow {
+            tangent: normal / stretch,
+            stretch,
+            relative: fluid.velocity - self.point.sum(at.v),
+            relative_acceleration: fluid.acceleration * at.load - self.point.sum(at.a),
+            load: at.load,
+        };
+        StationState { tangents, flow }
+    }
+
+    fn markers(&self) -> [&Marker; 3] {
+        let [a, b] = &self.tangents;
+        [&self.point, a, b]
+    }
+
+    /// Returns the derivative of the force by r, r_ξ and r_η along dq = w_q z, dv = w_v z, da = w_a z.
+    fn derivative(&self, at: &Local<'_>, fluid: &FluidMotion, w: Weights) -> SMatrix<f64, 9, 9> {
+        let StationState { tangents: [a, b], flow } = self.state(at, fluid);
+        let by = self.coefficients.derivatives(&flow);
+        let mut h = SMatrix::<f64, 9, 9>::zeros();
+        // n = m/|m| with m = r_ξ × r_η.
+        h.fixed_view_mut::<3, 3>(0, 3).copy_from(&(by.gradient * b.cross_matrix() * -w.q));
+        h.fixed_view_mut::<3, 3>(0, 6).copy_from(&(by.gradient * a.cross_matrix() * w.q));
+        h.fixed_view_mut::<3, 3>(0, 0).copy_from(&-(by.velocity * w.v + by.acceleration * w.a));
+        h
+    }
+}
+
+impl SurfaceFlowLoad {
+    /// Creates the load of an element from its points, tangents and areas.
+    fn new(
+        fluid: &Arc<FlowField>,
+        surface: &HydroSurface,
+        points: impl Iterator<Item = ([Marker; 3], f64)>,
+    ) -> Self {
+        let points: Vec<_> = points.collect();
+        let coordinates = Marker::union_coordinates(points.iter().flat_map(|(markers, _)| markers));
+        let station = |(markers, area): ([Marker; 3], f64)| {
+            let [point, a, b] = markers.map(|marker| marker.within(&coordinates));
+            let coefficients = HydroCoefficients::of_surface(fluid, surface, area);
+            SurfaceStation { point, tangents: [a, b], coefficients }
+        };
+        let stations = points.into_iter().map(station).collect();
+        Self { coordinates, fluid: Arc::clone(fluid), stations }
+    }
+
+    /// Creates the loads of the given elements of a shell; none for another body.
+    pub fn on(
+        body: &BodyTerms,
+        elements: impl IntoIterator<Item = usize>,
+        fluid: &Arc<FlowField>,
+        surface: &HydroSurface,
+    ) -> Vec<Self> {
+        let thin =
+            |mesh: &ShellMesh, element| Self::new(fluid, surface, mesh.flow_points(element).into_iter());
+        let thick =
+            |mesh: &ShearShellMesh, element| Self::new(fluid, surface, mesh.flow_points(element).into_iter());
+        match body {
+            BodyTerms::Shell(mesh) => elements.into_iter().map(|element| thin(mesh, element)).collect(),
+            BodyTerms::ShearShell(mesh) => elements.into_iter().map(|element| thick(mesh, element)).collect(),
+            BodyTerms::Flexible(_) | BodyTerms::Rigid(_) => Vec::new(),
+        }
+    }
+
+    /// Calls `visit` with each station and its state.
+    fn visit(&self, at: &Local<'_>, mut visit: impl FnMut(&SurfaceStation, &RelativeFlow, &FluidMotion)) {
+        let fluid = self.fluid.motion(at.t);
+        self.stations.iter().for_each(|station| visit(station, &station.state(at, &fluid).flow, &fluid));
+    }
+}
+
+impl Term for SurfaceFlowLoad {
+    fn coordinates(&self) -> &[usize] {
+        &self.coordinates
+    }
+
+    fn residual(&self, at: &Local<'_>, r: &mut [f64]) {
+        self.visit(at, |SurfaceStation { point, coefficients, .. }, flow, fluid| {
+            let force = coefficients.drag(flow)
+                + coefficients.added(flow, &flow.relative_acceleration)
+                + self.fluid.displaced(fluid, coefficients) * at.load;
+            point.add(-force, r);
+        });
+    }
+
+    fn rounding(&self, at: &Local<'_>, floor: &mut [f64]) {
+        self.visit(at, |station, flow, fluid| {
+            let SurfaceStation { point, tangents: [a, b], coefficients } = station;
+            let sides = [a, b].map(|tangent| tangent.size(at.q));
+            let sizes = [
+                2.0 * sides[0] * sides[1],
+                fluid.velocity.norm() + point.sum_of_sizes(at.v),
+                (fluid.acceleration * at.load).norm() + point.sum_of_sizes(at.a),
+            ];
+            let displaced = (self.fluid.displaced(fluid, coefficients) * at.load).norm() * f64::EPSILON;
+            let bound = coefficients.rounding(flow, sizes) + displaced;
+            for &(first, weight) in point.parts() {
+                floor[first..first + 3].iter_mut().for_each(|floor| *floor += weight.abs() * bound);
+            }
+        });
+    }
+
+    fn tangent(&self, at: &Local<'_>, w: Weights, k: &mut LocalMatrix<'_>) {
+        let fluid = self.fluid.motion(at.t);
+        for station in &self.stations {
+            add_symmetric(&station.markers(), &station.derivative(at, &fluid, w), -1.0, k);
+        }
+    }
+
+    fn skew_stiffness(&self, at: &Local<'_>, visit: &mut dyn FnMut(usize, usize, f64)) {
+        let fluid = self.fluid.motion(at.t);
+        for station in &self.stations {
+            visit_skew(&station.markers(), &station.derivative(at, &fluid, Weights::STIFFNESS), -1.0, visit);
+        }
+    }
+
+    fn skew_damping(&self, at: &Local<'_>, visit: &mut dyn FnMut(usize, usize, f64)) {
+        let (fluid, w) = (self.fluid.motion(at.t), Weights { q: 0.0, v: 1.0, a: 0.0 });
+        for station in &self.stations {
+            visit_skew(&station.markers(), &station.derivative(at, &fluid, w), -1.0, visit);
+        }
+    }
+
+    fn energy(&self, at: &Local<'_>) -> Energy {
+        let mut energy = Energy::default();
+        self.visit(at, |SurfaceStation { point, coefficients, .. }, flow, _| {
+            let (v, buoyancy) = (point.sum(at.v), self.fluid.gravity * (-at.load * coefficients.displaced()));
+            energy += Energy {
+                kinetic: 0.5 * v.dot(&coefficients.added(flow, &v)),
+                potential: -buoyancy.dot(&point.sum(at.q)),
+                ..Energy::default()
+            };
+        });
+        energy
+    }
+
+    fn supplied_power(&self, at: &Local<'_>) -> f64 {
+        let mut power = 0.0;
+        let fluid = self.fluid.motion(at.t);
+        for station in &self.stations {
+            let StationState { tangents: [a, b], flow } = station.state(at, &fluid);
+            let [rate_a, rate_b] = station.tangents.each_ref().map(|tangent| tangent.sum(at.v));
+            let (coefficients, v) = (&station.coefficients, station.point.sum(at.v));
+            let force = fluid.acceleration * coefficients.displaced()
+                + coefficients.added(&flow, &fluid.acceleration);
+            let turning = rate_a.cross(&b) + a.cross(&rate_b);
+            power += force.dot(&v) * at.load + coefficients.rotation_power(&flow, &v, &turning);
+        }
+        power
+    }
+
+    fn damping_forces(&self, at: &Local<'_>, r: &mut [f64]) {
+        self.visit(at, |SurfaceStation { point, coefficients, .. }, flow, _| {
+            point.add(-coefficients.drag(flow), r);
+        });
+    }
+
+    fn flow_power(&self, at: &Local<'_>) -> f64 {
+        let mut power = 0.0;
+        self.visit(at, |station, flow, fluid| {
+            power += station.coefficients.drag(flow).dot(&fluid.velocity);
+        });
+        power
+    }
+}

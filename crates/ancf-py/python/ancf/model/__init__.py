@@ -143,6 +143,7 @@ from ancf.model.loads import (
     Load,
     Moment,
     Prestrain,
+    SurfaceFluid,
     SurfaceForce,
     SurfacePressure,
 )
@@ -310,6 +311,7 @@ __all__ = [
     "Support",
     "SupportCondition",
     "SupportedAxis",
+    "SurfaceFluid",
     "SurfaceForce",
     "SurfacePressure",
     "TimeFunction",

@@ -118,44 +118,48 @@ ContactSurface: TypeAlias = Plane | Sphere | Cylinder | MutualContact
 class Contact(Part):
     """Contact of bodies with an obstacle or with each other.
 
-    Beams and cables are round tubes about their axes. Rigid bodies and point masses have the surface that
-    they state, in contact with obstacles only.
+    Beams and cables are round tubes about their axes, and shells have their thickness. Rigid bodies and point
+    masses have the surface that they state. They and shells with shear touch obstacles only.
 
     Attributes
     ----------
     with_
         Contact partner of the bodies.
-    stiffness
-        Force per length of a body and per depth, force/length² (> 0).
     bodies
-        Names of the beams and cables, and of bodies with a ``surface``; all except the body that carries the
-        obstacle by default.
+        Names of the beams, cables and shells, and of bodies with a ``surface``; all except the body that
+        carries the obstacle by default.
     damping
         Damping coefficient c, time/length. The factor of the force is 1 − c v for small velocities v of
         separation (>= 0). Default: ``0.0``.
     friction
         Coefficient of friction; 0 by default. Equilibria admit no friction (>= 0).
     points
-        Contact points of each element; by default a number that resolves the obstacle and the radius (>= 1,
-        <= 10000).
+        Contact points of each element, of a shell in each direction and odd; by default a number that
+        resolves the obstacle and the radius (>= 1, <= 10000).
     radius
         Radius of the beams and cables, length; that of circles and tubes by default (> 0).
     slip_speed
         Sliding speed below which friction is viscous, length/time; by default 1/1000 of the length of the
         longest body divided by the duration (> 0).
+    stiffness
+        Force per length of a body and per depth, force/length²; required with bodies other than shells (> 0).
+    surface_stiffness
+        Pressure on a shell per depth, force/length³; required with shells (> 0).
     transition
-        Depth over which the stiffness grows from zero, length; 1/50 of the smallest radius by default (> 0).
+        Depth over which the stiffness grows from zero, length; 1/50 of the smallest radius or half thickness
+        by default (> 0).
 
     """
 
     _form = "Contact"
 
     with_: ContactSurface
-    stiffness: float
     bodies: Sequence[str] | None = None
     damping: float | None = None
     friction: float | None = None
     points: int | None = None
     radius: float | None = None
     slip_speed: float | None = None
+    stiffness: float | None = None
+    surface_stiffness: float | None = None
     transition: float | None = None

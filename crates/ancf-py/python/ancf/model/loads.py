@@ -28,6 +28,7 @@ __all__ = [
     "Load",
     "Moment",
     "Prestrain",
+    "SurfaceFluid",
     "SurfaceForce",
     "SurfacePressure",
 ]
@@ -286,6 +287,54 @@ class SurfacePressure(Part):
 
 @checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
+class SurfaceFluid(Part):
+    """Fluid around a shell: drag, lift, added mass and buoyancy.
+
+    The force depends on the local velocity only, without the wake. Forces per area with the relative velocity
+    w, its part w_n along the normal n and its part w_t along the surface: ½ρ (C_n |w_n| + C_l |w_t|) w_n n +
+    ½ρ C_t |w_t| w_t.
+
+    Source: Morison et al. (1950); Sarpkaya & Isaacson (1981).
+
+    Attributes
+    ----------
+    body
+        Name of the shell.
+    density
+        Density ρ of the fluid, mass/volume (> 0).
+    drag
+        Coefficients C_n and C_t of drag across and along the surface.
+    added_mass
+        Added mass ρ a per area across the surface, as the length a; 0 by default, π b/4 on average for a
+        strip of the width b (>= 0).
+    current
+        Uniform velocity of the fluid, length/time; at rest by default.
+    lift
+        Coefficient C_l of lift: the normal force ½ρ C_l |w_t| w_n per area; 0 by default, 2π for a thin
+        airfoil in attached flow (>= 0).
+    region
+        Name of a group of elements of a shear-deformable shell in the fluid; the whole shell by default.
+    time
+        Function of time that multiplies the current. Statics ignores it. Default: ``1.0``.
+
+    """
+
+    _form = "Load"
+    _tag = "kind"
+    kind: ClassVar[Literal["surface_fluid"]] = "surface_fluid"
+
+    body: str
+    density: float
+    drag: Numbers
+    added_mass: float | None = None
+    current: Vector | None = None
+    lift: float | None = None
+    region: str | None = None
+    time: TimeFunction | None = None
+
+
+@checked_arguments
+@dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class BaseAcceleration(Part):
     """Translational acceleration of the ground. All results are relative to the ground.
 
@@ -468,6 +517,7 @@ Load: TypeAlias = (
     | EdgeMoment
     | SurfaceForce
     | SurfacePressure
+    | SurfaceFluid
     | BaseAcceleration
     | BaseRotation
     | FluidLoad

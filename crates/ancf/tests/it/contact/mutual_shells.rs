@@ -185,24 +185,26 @@ fn closing_strip() -> Model {
     )
 }
 
-/// The end of the strip lies on its middle surface at a distance of its thickness.
+/// The last third of the strip lies on the first part at the distance of its thickness.
 #[test]
 fn strips_touch_themselves() {
     let mut model = closing_strip();
-    for k in 0..=40 {
+    for k in 0..=100 {
         let at = At::Surface([0.01 * f64::from(k), 0.5]);
         model.probes.push(Probe::of_motion(&format!("p{k}"), Place::new("c", at)));
     }
     let distance = |series: &Series| {
-        let [x, z] = ["end.x", "end.z"].map(|name| last(series, name));
-        let point = |k: usize| [last(series, &format!("p{k}.x")) - x, last(series, &format!("p{k}.z")) - z];
-        (0..=40).map(point).map(|[x, z]| x.hypot(z)).fold(f64::INFINITY, f64::min)
+        let point = |k: usize| ["x", "z"].map(|axis| last(series, &format!("p{k}.{axis}")));
+        let between = |a: [f64; 2], b: [f64; 2]| f64::hypot(a[0] - b[0], a[1] - b[1]);
+        let pairs = (67..=100).flat_map(|i| (0..=40).map(move |j| (i, j)));
+        pairs.map(|(i, j)| between(point(i), point(j))).fold(f64::INFINITY, f64::min)
     };
+    // Probes have a distance of 2.9 mm.
     let near = distance(&run_model(&model));
-    assert!(near > 0.0038 && near < 0.0042, "{near}");
+    assert!(near > 0.0038 && near < 0.0044, "{near}");
     model.contacts.clear();
     let series = run_model(&model);
-    assert!(distance(&series) > 0.01 && last(&series, "end.z") < -0.03, "{}", distance(&series));
+    assert!(distance(&series) < 0.0015 || last(&series, "end.z") < -0.03, "{}", distance(&series));
 }
 
 /// Lengths, times and forces in other units, including default values.

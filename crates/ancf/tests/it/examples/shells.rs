@@ -1,4 +1,4 @@
-//! Annular plate, banner and bracket.
+//! Annular plate, banner, bracket and cloth.
 
 use std::f64::consts::PI;
 
@@ -40,4 +40,17 @@ fn banner_swings_about_its_rail() {
     let distances: Vec<f64> = y.iter().zip(z).map(|(y, z)| y.hypot(*z)).collect();
     assert!(distances.iter().all(|distance| *distance < 1.02), "{distances:?}");
     assert!(y.iter().any(|y| *y > 0.5) && y.iter().any(|y| *y < -0.3));
+}
+
+/// The felt lies on the ball with half its thickness, hangs down at its corner, and comes to rest.
+#[test]
+fn cloth_drapes_over_a_ball() {
+    let run = Run::of(&model("cloth"));
+    let last = |name: &str| *run.column(name).last().unwrap();
+    let distance = ["top.x", "top.y", "top.z"].map(last).iter().map(|x| x * x).sum::<f64>().sqrt();
+    assert_near("distance from the ball", distance, 0.2 + 0.003, 0.002);
+    assert!(last("corner.z") < -0.05, "{}", last("corner.z"));
+    let kinetic = run.column("kinetic");
+    let largest = kinetic.iter().fold(0.0, |a: f64, b| a.max(*b));
+    assert!(last("kinetic") < 0.5 * largest, "{} of {largest}", last("kinetic"));
 }

@@ -76,10 +76,10 @@ pub struct HydroSection {
 /// The direction of a line is its tangent, that of a surface its normal.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct HydroCoefficients {
-    /// Coefficients of |w_n| w_n across and |w_t| w_t along the direction: ½ρ d C_n and ½ρ π d C_t of a line, ½ρ C_t and ½ρ C_n of a
+    /// Coefficients of |w| w of the parts of w across and along the direction: ½ρ d C_n and ½ρ π d C_t of a line, ½ρ C_t and ½ρ C_n of a
     /// surface.
     drag: [f64; 2],
-    /// Coefficient ½ρ C_l of |w_n| w_t along the direction of a surface; 0 for a line.
+    /// Coefficient ½ρ C_l of |w across| (w along) along the direction of a surface; 0 for a line.
     lift: f64,
     /// Added mass across and along the direction.
     added: [f64; 2],
@@ -154,7 +154,7 @@ impl HydroCoefficients {
         normal_part * self.added[0] + flow.tangent * (along * self.added[1])
     }
 
-    /// Returns ½ v·Ṁv of the added mass M on a line whose gradient changes at the rate ṗ.
+    /// Returns ½ v·Ṁv of the added mass M of a line or a surface whose p changes at the rate ṗ.
     pub(crate) fn rotation_power(&self, flow: &RelativeFlow, v: &Vector3<f64>, rate: &Vector3<f64>) -> f64 {
         let (_, turn) = flow.parts(rate);
         (self.added[1] - self.added[0]) * v.dot(&turn) * v.dot(&flow.tangent) / flow.stretch

@@ -1,12 +1,12 @@
 use std::sync::Arc;
 
 use ancf_solver::equations::{Energy, Local, LocalMatrix, Term, Weights};
-use nalgebra::{SMatrix, Vector3};
+use nalgebra::{Matrix3, SMatrix, Vector3};
 
 use super::flow_field::{FlowField, FluidMotion, HydroCoefficients, HydroSurface, RelativeFlow};
 use crate::bodies::BodyTerms;
-use crate::kinematics::{Marker, add_symmetric, visit_skew};
-use crate::shells::{ShearShellMesh, ShellMesh};
+use crate::kinematics::Marker;
+use crate::shells::{ShearShellMesh, ShellMesh, VECTORS};
 
 /// Hydrodynamic or aerodynamic load of one element of a shell: drag, lift, added mass and buoyancy.
 ///
@@ -28,6 +28,8 @@ pub struct SurfaceFlowLoad {
     coordinates: Vec<usize>,
     fluid: Arc<FlowField>,
     stations: Vec<SurfaceStation>,
+    /// Weights of the vectors of the element in r, r_ξ and r_η, station by station.
+    weights: Vec<[f64; 3]>,
 }
 
 /// Quadrature point of a surface.
@@ -37,6 +39,12 @@ struct SurfaceStation {
     tangents: [Marker; 2],
     coefficients: HydroCoefficients,
 }
+
+/// Derivatives by the vectors of an element.
+type Blocks = [[Matrix3<f64>; VECTORS]; VECTORS];
+
+/// Skew entries of this size, relative to the derivative, are rounding errors.
+const NEGLIGIBLE: f64 = 1e-13;
 
 /// State of the surface at a point.
 struct StationState {
@@ -91,8 +99,18 @@ impl SurfaceFlowLoad {
             let coefficients = HydroCoefficients::of_surface(fluid, surface, area);
             SurfaceStation { point, tangents: [a, b], coefficients }
         };
-        let stations = points.into_iter().map(station).collect();
-        Self { coordinates, fluid: Arc::clone(fluid), stations }
+        let stations: Vec<SurfaceStation> = points.into_iter().map(station).collect();
+        let weight = |marker: &Marker, vector: usize| {
+            marker.parts().iter().find(|(first, _)| *first == 3 * vector).map_or(0.0, |(_, weight)| *weight)
+        };
+        let of = |station: &SurfaceStation| {
+            let markers = station.markers();
+            (0..coordinates.len() / 3)
+                .map(|vector| markers.map(|marker| weight(marker, vector)))
+                .collect::<Vec<_>>()
+        };
+        let weights = stations.iter().flat_map(of).collect();
+        Self { coordinates, fluid: Arc::clone(fluid), stations, weights }
     }
 
     /// Creates the loads of the given elements of a shell; none for another body.
@@ -111,6 +129,41 @@ impl SurfaceFlowLoad {
             BodyTerms::ShearShell(mesh) => elements.into_iter().map(|element| thick(mesh, element)).collect(),
             BodyTerms::Flexible(_) | BodyTerms::Rigid(_) => Vec::new(),
         }
+    }
+
+    /// Computes the derivative of the residual along dq = w_q z, dv = w_v z, da = w_a z, in blocks of vectors.
+    fn blocks(&self, at: &Local<'_>, w: Weights) -> Box<Blocks> {
+        let (fluid, n) = (self.fluid.motion(at.t), self.coordinates.len() / 3);
+        let mut blocks = Box::new([[Matrix3::zeros(); VECTORS]; VECTORS]);
+        for (station, weights) in self.stations.iter().zip(self.weights.chunks_exact(n)) {
+            let h = station.derivative(at, &fluid, w);
+            let [direct, of_a, of_b] = [0, 3, 6].map(|j| -h.fixed_view::<3, 3>(0, j));
+            for (j, [value, a, b]) in weights.iter().enumerate() {
+                let column = direct * *value + of_a * *a + of_b * *b;
+                for (i, [value, ..]) in weights.iter().enumerate() {
+                    blocks[i][j] += column * *value;
+                }
+            }
+        }
+        blocks
+    }
+
+    /// Calls `visit` with the row and the column of each entry of the lower triangle.
+    fn each_entry(&self, mut visit: impl FnMut(usize, usize)) {
+        (0..self.coordinates.len()).for_each(|row| (0..=row).for_each(|column| visit(row, column)));
+    }
+
+    /// Visits the lower entries of the skew part of the derivative.
+    fn visit_skew(&self, at: &Local<'_>, w: Weights, visit: &mut dyn FnMut(usize, usize, f64)) {
+        let blocks = self.blocks(at, w);
+        let largest = blocks.iter().flatten().map(Matrix3::amax).fold(0.0, f64::max);
+        self.each_entry(|row, column| {
+            let (a, i, b, j) = (row / 3, row % 3, column / 3, column % 3);
+            let value = 0.5 * (blocks[a][b][(i, j)] - blocks[b][a][(j, i)]);
+            if row > column && value.abs() > NEGLIGIBLE * largest {
+                visit(row, column, value);
+            }
+        });
     }
 
     /// Calls `visit` with each station and its state.
@@ -152,24 +205,19 @@ impl Term for SurfaceFlowLoad {
     }
 
     fn tangent(&self, at: &Local<'_>, w: Weights, k: &mut LocalMatrix<'_>) {
-        let fluid = self.fluid.motion(at.t);
-        for station in &self.stations {
-            add_symmetric(&station.markers(), &station.derivative(at, &fluid, w), -1.0, k);
-        }
+        let blocks = self.blocks(at, w);
+        self.each_entry(|row, column| {
+            let (a, i, b, j) = (row / 3, row % 3, column / 3, column % 3);
+            k.add(row, column, 0.5 * (blocks[a][b][(i, j)] + blocks[b][a][(j, i)]));
+        });
     }
 
     fn skew_stiffness(&self, at: &Local<'_>, visit: &mut dyn FnMut(usize, usize, f64)) {
-        let fluid = self.fluid.motion(at.t);
-        for station in &self.stations {
-            visit_skew(&station.markers(), &station.derivative(at, &fluid, Weights::STIFFNESS), -1.0, visit);
-        }
+        self.visit_skew(at, Weights::STIFFNESS, visit);
     }
 
     fn skew_damping(&self, at: &Local<'_>, visit: &mut dyn FnMut(usize, usize, f64)) {
-        let (fluid, w) = (self.fluid.motion(at.t), Weights { q: 0.0, v: 1.0, a: 0.0 });
-        for station in &self.stations {
-            visit_skew(&station.markers(), &station.derivative(at, &fluid, w), -1.0, visit);
-        }
+        self.visit_skew(at, Weights { q: 0.0, v: 1.0, a: 0.0 }, visit);
     }
 
     fn energy(&self, at: &Local<'_>) -> Energy {

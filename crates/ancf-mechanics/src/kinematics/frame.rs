@@ -23,16 +23,11 @@ pub fn add_symmetric<const N: usize>(
     w: f64,
     k: &mut LocalMatrix<'_>,
 ) {
-    let mut add = |i: usize, j: usize, value: f64| {
-        if i >= j {
-            k.add(i, j, value);
-        }
-    };
     for (i, a) in markers.iter().enumerate() {
         for (j, b) in markers.iter().enumerate() {
             let block = |i: usize, j: usize| h.fixed_view::<3, 3>(3 * i, 3 * j);
             let symmetric = (block(i, j) + block(j, i).transpose()) * (0.5 * w);
-            a.product(b, &symmetric, &mut add);
+            a.add_lower_product(b, &symmetric, k);
         }
     }
 }

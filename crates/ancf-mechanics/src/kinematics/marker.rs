@@ -1,4 +1,4 @@
-use ancf_solver::equations::State;
+use ancf_solver::equations::{LocalMatrix, State};
 use nalgebra::{Matrix3, Vector3};
 use smallvec::SmallVec;
 
@@ -101,6 +101,23 @@ impl Marker {
         for &(i, w) in &self.parts {
             for (row, x) in rows[i..i + 3].iter_mut().zip(&x) {
                 *row += w * x;
+            }
+        }
+    }
+
+    /// Adds the lower triangle of the second derivative of x·H·y of this marker and another one.
+    pub(crate) fn add_lower_product(&self, other: &Self, h: &Matrix3<f64>, matrix: &mut LocalMatrix<'_>) {
+        for &(i, w) in &self.parts {
+            for &(j, u) in &other.parts {
+                // Vectors are equal or disjoint.
+                if i < j {
+                    continue;
+                }
+                let factor = w * u;
+                for l in 0..3 {
+                    let start = if i == j { l } else { 0 };
+                    (start..3).for_each(|k| matrix.add(i + k, j + l, factor * h[(k, l)]));
+                }
             }
         }
     }

@@ -2,7 +2,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use crate::kinematics::Real;
 
-/// Contact law: forces per length of beam as a function of the gap g and the relative velocity w.
+/// Contact law: forces per length of beam or per area of shell as a function of the gap g and the relative velocity w.
 ///
 /// The pressure follows from a potential U(d) of the penetration depth d = −g, zero for d ≤ 0:
 ///
@@ -19,7 +19,7 @@ use crate::kinematics::Real;
 /// symmetric. It maps errors in the normal direction to the tangential direction only. Its symmetric part would also
 /// map them back. Newton's method converges linearly where bodies slide.
 ///
-/// Units: k force/length², δ length, c time/length, v₀ length/time.
+/// Units: k force/length², of shells force/length³, δ length, c time/length, v₀ length/time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContactLaw {
     /// Stiffness k, pressure per depth.

@@ -78,18 +78,18 @@ fn rules_of_stiffness(model: &IndexedModel<'_>, path: &str, contact: &Contact) -
     let bodies = contact.bodies(model);
     let of = |is_shell: bool| bodies.iter().map(|i| &model.bodies[*i]).find(|b| b.is_shell() == is_shell);
     let kinds = [
-        ("stiffness", contact.stiffness, of(false), "bodies other than shells", "force/length²"),
-        ("surface_stiffness", contact.surface_stiffness, of(true), "shells", "force/length³"),
+        ("stiffness", contact.stiffness, of(false), "body other than a shell", "force/length²"),
+        ("surface_stiffness", contact.surface_stiffness, of(true), "shell", "force/length³"),
     ];
     let rule = |(key, value, body, kind, unit): (&str, Option<f64>, Option<&Body>, &str, &str)| {
         let error = match (value, body) {
             (None, Some(body)) => {
                 let found = format!("no key `{key}` for {}", quoted(body.name()));
-                let expected = format!("a number > 0, {unit}, or `bodies` without {kind}");
+                let expected = format!("a number > 0 ({unit}), since a {kind} is in contact");
                 Finding { absence: true, ..finding(format!("{path}.{key}"), found, expected) }
             }
             (Some(value), None) if !bodies.is_empty() => {
-                let expected = format!("no such key: the bodies in contact have no {kind}");
+                let expected = format!("no such key: no {kind} is in contact");
                 finding(format!("{path}.{key}"), number(value), expected)
             }
             _ => return None,

@@ -27,8 +27,12 @@ pub(crate) fn fluids(model: &IndexedModel<'_>) -> Vec<Finding> {
             _ => continue,
         };
         for (key, name) in load.kind().bodies() {
+            let shell = model.named(name).and_then(|(_, body)| body.shear_shell());
+            let elements =
+                |part: Option<&str>| shell.and_then(|shell| shell.region(part)).unwrap_or_default();
+            let own = elements(region);
             let overlaps = |(other, part): &(&str, Option<&str>)| {
-                *other == name && (*part == region || part.is_none() || region.is_none())
+                *other == name && (shell.is_none() || elements(*part).iter().any(|k| own.contains(k)))
             };
             if wet.iter().any(overlaps) {
                 let found = format!("{} a second time", quoted(name));

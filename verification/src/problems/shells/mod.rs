@@ -1,6 +1,7 @@
 //! Thin plates and shells.
 
 mod bending;
+mod contact;
 mod curved;
 mod large;
 mod models;
@@ -11,11 +12,12 @@ mod snap;
 use crate::Problem;
 
 /// Problems of plates and shells.
-pub(super) const FAMILIES: [&[Problem]; 6] = [
+pub(super) const FAMILIES: [&[Problem]; 7] = [
     bending::PROBLEMS,
     curved::PROBLEMS,
     plates::PROBLEMS,
     motions::PROBLEMS,
     large::PROBLEMS,
     snap::PROBLEMS,
+    contact::PROBLEMS,
 ];

@@ -1,3 +1,4 @@
+use ancf_solver::equations::{LOCAL, State};
 use nalgebra::Vector3;
 use smallvec::SmallVec;
 
@@ -84,6 +85,13 @@ impl BeamContact {
         let sides = sides.map(|((points, length), ends)| ContactSide { points, length, ends }).collect();
         Self { partners: BeamPartners { axes, sides }, coordinates, radius, law }
     }
+
+    /// Returns true if a point and an axis of a state overlap by more than a fraction of their radii.
+    pub(super) fn overlaps(&self, s: &State, part: f64) -> bool {
+        let mut q = [0.0; LOCAL];
+        self.coordinates.iter().zip(&mut q).for_each(|(&c, q)| *q = s.q[c]);
+        self.pose(&q).is_nearer((1.0 - part) * self.radius)
+    }
 }
 
 impl Foot<1> {
@@ -157,6 +165,15 @@ impl BeamPose<'_> {
         }
     }
 
+    /// Returns true if a point is nearer to the other element than a limit, in its share or not.
+    fn is_nearer(&self, limit: f64) -> bool {
+        let distance = |side: usize, i: usize| {
+            let (point, curve) = (self.point(side, i), &self.curves[side]);
+            (point - curve.point(curve.closest(&point))).norm()
+        };
+        (0..self.partners.sides.len()).any(|side| (0..self.count(side)).any(|i| distance(side, i) < limit))
+    }
+
     /// Returns the vectors of a point with their weights.
     fn point_weights(&self, side: usize, i: usize) -> SmallVec<[(usize, f64); 4]> {
         match &self.side(side).points {
@@ -204,14 +221,6 @@ impl ContactPose<1> for BeamPose<'_> {
         let weights: SmallVec<[FootWeight<1>; 8]> = of_point.chain(of_axis).collect();
         let (law, radius, range) = (self.law, self.radius, axis.length());
         visit(&PointContact { law, radius, size: *length, foot, weights: &weights, range });
-    }
-
-    fn is_nearer(&self, limit: f64) -> bool {
-        let distance = |side: usize, i: usize| {
-            let (point, curve) = (self.point(side, i), &self.curves[side]);
-            (point - curve.point(curve.closest(&point))).norm()
-        };
-        (0..self.partners.sides.len()).any(|side| (0..self.count(side)).any(|i| distance(side, i) < limit))
     }
 
     fn errors(&self, [side, i]: [usize; 2], [xi]: [f64; 1]) -> FootErrors<1> {

@@ -75,10 +75,9 @@ impl ObstacleContacts {
     ) -> impl Iterator<Item = impl Iterator<Item = (&'a ContactPoint, [Vector3<f64>; 2])>> {
         let poses = [from, to].map(|s| self.obstacle.pose(&s.q));
         let convex = if poses[0].is_convex() { &*self.bodies } else { &[] };
-        let lines =
-            convex.iter().flat_map(|body| body.points.chunks(body.line).map(|line| (line, body.radius)));
+        let lines = convex.iter().flat_map(|body| body.lines().map(|line| (line, body.radius)));
         lines.map(move |(line, radius)| {
-            line.iter().filter_map(move |point| {
+            line.filter_map(move |point| {
                 let [before, after] = [(&poses[0], from), (&poses[1], to)]
                     .map(|(pose, s)| pose.radial(&point.place.value(s), radius));
                 Some((point, [before?, after?]))

@@ -1,8 +1,6 @@
 use std::fmt::Debug;
 
-use ancf_solver::equations::{
-    Energy, Inadmissibility, LOCAL, Local, LocalMatrix, LocalStep, State, Term, Weights,
-};
+use ancf_solver::equations::{Energy, Inadmissibility, LOCAL, Local, LocalMatrix, LocalStep, Term, Weights};
 
 use super::limits::SMALLEST_DISTANCE;
 use super::point_contact::{FootErrors, PointContact};
@@ -27,9 +25,6 @@ pub trait ContactPose<const N: usize> {
     /// Calls `visit` with the contact of a point with its foot, if the element has a share in it.
     fn with_foot(&self, point: [usize; 2], visit: &mut dyn FnMut(&PointContact<'_, N>));
 
-    /// Returns true if a point is nearer to the other element than a limit, in its share or not.
-    fn is_nearer(&self, limit: f64) -> bool;
-
     /// Returns bounds of the errors of a foot.
     fn errors(&self, point: [usize; 2], at: [f64; N]) -> FootErrors<N>;
 }
@@ -42,8 +37,8 @@ pub trait ContactPose<const N: usize> {
 /// w = ṗ − Ṅₐeₐ. Friction treats beams as lines and shells as surfaces. It conserves momentum, and angular momentum except for
 /// the couple of the friction forces over |d|.
 ///
-/// A point belongs to the element that contains its projection. At a node or an edge it belongs to both elements by halves, so
-/// elements that join smoothly have a single contact. Beyond a free end or edge it belongs to the end, which is round.
+/// A point belongs to the element that contains its projection. At a node or an edge it belongs to the adjacent elements in equal
+/// parts, so elements that join smoothly have a single contact. Beyond a free end or edge it belongs to the end, which is round.
 #[derive(Clone, Debug)]
 pub struct ClosestContact<P, const N: usize> {
     pub(in crate::contact) partners: P,
@@ -63,7 +58,7 @@ pub(in crate::contact) fn sorted(coordinates: impl Iterator<Item = usize>) -> Ve
 
 impl<P: ContactPartners<N>, const N: usize> ClosestContact<P, N> {
     /// Evaluates the geometry for the coordinates of the term.
-    fn pose<'a>(&'a self, q: &'a [f64]) -> P::Pose<'a> {
+    pub(in crate::contact) fn pose<'a>(&'a self, q: &'a [f64]) -> P::Pose<'a> {
         self.partners.pose(q, (self.radius, &self.law))
     }
 
@@ -78,6 +73,13 @@ impl<P: ContactPartners<N>, const N: usize> ClosestContact<P, N> {
         });
     }
 
+    /// Returns the share of the element in the contact of a point.
+    fn share(pose: &P::Pose<'_>, point: [usize; 2]) -> f64 {
+        let mut share = 0.0;
+        pose.with_foot(point, &mut |contact| share = contact.foot.share);
+        share
+    }
+
     /// Returns a quantity of a point, or 0 without contact.
     fn value(pose: &P::Pose<'_>, point: [usize; 2], of: impl Fn(&PointContact<'_, N>) -> f64) -> f64 {
         let mut value = 0.0;
@@ -87,13 +89,6 @@ impl<P: ContactPartners<N>, const N: usize> ClosestContact<P, N> {
             }
         });
         value
-    }
-
-    /// Returns true if a point and an element of a state overlap by more than a fraction of their radii.
-    pub(in crate::contact) fn overlaps(&self, s: &State, part: f64) -> bool {
-        let mut q = [0.0; LOCAL];
-        self.coordinates.iter().zip(&mut q).for_each(|(&c, q)| *q = s.q[c]);
-        self.pose(&q).is_nearer((1.0 - part) * self.radius)
     }
 }
 
@@ -134,6 +129,11 @@ impl<P: ContactPartners<N>, const N: usize> Term for ClosestContact<P, N> {
         (0..step.to.q.len()).for_each(|i| moved[i] = step.to.q[i] - step.from.q[i]);
         let [from, middle, to] = [step.from, step.middle, step.to].map(|at| self.pose(at.q));
         let mut correct = |point: [usize; 2]| {
+            // The share of a point that moves to another element changes. Its force is that of the middle.
+            let shares = [&from, &middle, &to].map(|pose| Self::share(pose, point));
+            if shares[0] != shares[1] || shares[1] != shares[2] {
+                return;
+            }
             let energies = [&from, &to].map(|pose| Self::value(pose, point, |contact| contact.energy()));
             if energies == [0.0; 2] {
                 return;

@@ -1,3 +1,6 @@
+use std::iter::StepBy;
+use std::slice::Iter;
+
 use crate::bodies::BeamMesh;
 use crate::kinematics::{ElementAxis, Marker};
 use crate::shells::{ElementSurface, ShearShellMesh, ShellMesh};
@@ -11,8 +14,8 @@ pub struct ContactGeometry {
     pub(in crate::contact) points: Vec<ContactPoint>,
     /// Number of points per element.
     pub(in crate::contact) count: usize,
-    /// Number of consecutive points between which the body extends.
-    pub(in crate::contact) line: usize,
+    /// True for the points of a shell: lines of equal numbers of points, element by element.
+    is_surface: bool,
     /// Radius of the tube or the balls, or half the thickness of the shell.
     pub(in crate::contact) radius: f64,
     /// Search margin.
@@ -59,7 +62,7 @@ impl ContactGeometry {
         let point = |i: usize| ContactPoint::new(mesh.point((i as f64 + 0.5) * length), length);
         let points: Vec<_> = (0..all).map(point).collect();
         let axes = mesh.element_axes().collect();
-        Self { axes, surfaces: Vec::new(), points, count, line: all, radius, margin: radius }
+        Self { axes, surfaces: Vec::new(), points, count, is_surface: false, radius, margin: radius }
     }
 
     /// Creates the balls of a rigid body about its points. They share the size of the body as the length.
@@ -67,7 +70,7 @@ impl ContactGeometry {
         let count = points.len();
         let points = points.into_iter().map(|place| ContactPoint::new(place, size / count as f64)).collect();
         let margin = radius.max(POINT_MARGIN * size);
-        Self { axes: Vec::new(), surfaces: Vec::new(), points, count, line: count, radius, margin }
+        Self { axes: Vec::new(), surfaces: Vec::new(), points, count, is_surface: false, radius, margin }
     }
 
     /// Creates the surface of a thin shell with a thickness and at least `count` points per element in each direction.
@@ -87,7 +90,19 @@ impl ContactGeometry {
     fn of_surface(points: Vec<ContactPoint>, thickness: f64, count: usize) -> Self {
         let radius = 0.5 * thickness;
         let (axes, surfaces) = (Vec::new(), Vec::new());
-        Self { axes, surfaces, points, count: count * count, line: count, radius, margin: radius }
+        Self { axes, surfaces, points, count: count * count, is_surface: true, radius, margin: radius }
+    }
+
+    /// Returns the lines of points between which the body extends: along a beam, or in both directions of each element of a shell.
+    pub(in crate::contact) fn lines(&self) -> impl Iterator<Item = StepBy<Iter<'_, ContactPoint>>> {
+        let (count, of_element) =
+            if self.is_surface { (self.count.isqrt(), self.count) } else { (1, self.points.len().max(1)) };
+        self.points.chunks(of_element).flat_map(move |points| {
+            let along =
+                points.chunks(if count > 1 { count } else { of_element }).map(|line| line.iter().step_by(1));
+            let across = if count > 1 { count } else { 0 };
+            along.chain((0..across).map(move |k| points[k..].iter().step_by(count)))
+        })
     }
 
     /// Returns the radius, or the search margin of points without a radius.

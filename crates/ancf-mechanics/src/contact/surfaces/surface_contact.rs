@@ -135,14 +135,6 @@ impl ContactPose<2> for SurfacePose<'_> {
         visit(&PointContact { law, radius, size: *extent, foot, weights: &weights, range: 1.0 });
     }
 
-    fn is_nearer(&self, limit: f64) -> bool {
-        (0..self.partners.points.len()).any(|i| {
-            let point = self.point(i);
-            self.hull.contains(&point)
-                && (point - self.surface.point(self.surface.closest(&point))).norm() < limit
-        })
-    }
-
     fn errors(&self, [_, i]: [usize; 2], at: [f64; 2]) -> FootErrors<2> {
         let [sizes, x, y] = self.partners.surface.sizes(self.q, at);
         (self.partners.points[i].place.size(self.q) + sizes, [x, y])

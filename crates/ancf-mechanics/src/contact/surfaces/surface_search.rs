@@ -16,7 +16,7 @@ use crate::laws::ContactLaw;
 /// Contact search between points of bodies and the surfaces of thin shells. A pair is a point and an element of a shell, a group
 /// is the points of an element of a body and an element of a shell.
 ///
-/// Pairs that overlap in the reference state by more than 1 % of the radii count as joined and have no contact. Examples are the
+/// Pairs that overlap in the initial state by more than 1 % of the radii count as joined and have no contact. Examples are the
 /// points of an element and the element itself, or a beam on a shell.
 #[derive(Debug)]
 pub struct SurfaceContacts {
@@ -171,17 +171,22 @@ impl SurfaceContacts {
         });
     }
 
-    /// Returns the first result of `find` for a point and an element that move relative to each other by more than a quarter of
-    /// their radii between two states, at the checked parts of the straight line.
+    /// Calls `visit` for the points and elements that move relative to each other by more than a quarter of their radii between two
+    /// states, at the checked parts of the straight line, until it returns true for a pair.
     ///
-    /// `find` receives the point, the target, the part, and the distances at the start, there and at the end relative to the radii.
-    fn between<T>(
-        &self,
-        [from, to]: [&State; 2],
-        mut find: impl FnMut([usize; 2], f64, [f64; 3]) -> Option<T>,
-    ) -> Option<T> {
+    /// `visit` receives the point, the part, and the distances at the start, there and at the end relative to the radii.
+    fn visit_between(&self, [from, to]: [&State; 2], mut visit: impl FnMut(usize, f64, [f64; 3]) -> bool) {
         let ends = [from, to].map(|s| (self.positions(s), self.surfaces(s)));
         let [(starts, before), (stops, after)] = &ends;
+        let of_points = starts.iter().zip(stops).map(|(a, b)| (b - a).norm()).fold(0.0, f64::max);
+        let nets = before.iter().zip(after).flat_map(|(a, b)| a.all_points().zip(b.all_points()));
+        let of_nets = nets.map(|(a, b)| (b - a).norm()).fold(0.0, f64::max);
+        let least = |radii: &mut dyn Iterator<Item = f64>| radii.fold(f64::INFINITY, f64::min);
+        let radii = least(&mut self.sources.iter().map(|source| source.radius))
+            + least(&mut self.targets.iter().map(|target| target.radius));
+        if of_points + of_nets <= SPACING * radii {
+            return;
+        }
         let of_source = |source: &PointSource| {
             let places = source.points.clone();
             let all: Vec<_> = starts[places.clone()].iter().chain(&stops[places]).copied().collect();
@@ -191,11 +196,10 @@ impl SurfaceContacts {
             |k: usize| before[k].hull(self.targets[k].radius).with(&after[k].hull(self.targets[k].radius));
         let targets = (0..self.targets.len()).map(of_target);
         let boxes = self.sources.iter().map(of_source).chain(targets).collect();
-        let mut found = None;
         self.visit_pairs(boxes, |candidate @ [source, target]| {
             let radii = self.radii(candidate);
             for i in self.sources[source].points.clone() {
-                if found.is_some() || self.is_joined(i, target) {
+                if self.is_joined(i, target) {
                     continue;
                 }
                 let moved = stops[i] - starts[i];
@@ -211,13 +215,14 @@ impl SurfaceContacts {
                     (point - surface.point(surface.closest(&point))).norm() / radii
                 };
                 let [first, last] = [0.0, 1.0].map(distance);
-                found = (1..count as usize).find_map(|k| {
-                    let part = k as f64 / count;
-                    find([i, target], part, [first, distance(part), last])
-                });
+                let parts = (1..count as usize).map(|k| k as f64 / count);
+                for part in parts {
+                    if visit(i, part, [first, distance(part), last]) {
+                        break;
+                    }
+                }
             }
         });
-        found
     }
 }
 
@@ -247,16 +252,27 @@ impl ContactSearch for SurfaceContacts {
     }
 
     fn crossing(&self, from: &State, to: &State) -> Option<usize> {
-        self.between([from, to], |[point, _], _, [before, here, _]| {
+        let mut crossing = None;
+        self.visit_between([from, to], |point, _, [before, here, _]| {
             let is_crossing = here < SMALLEST_DISTANCE && before >= SMALLEST_DISTANCE;
-            is_crossing.then(|| self.points[point].place.coordinates().next()).flatten()
-        })
+            if is_crossing && crossing.is_none_or(|other| point < other) {
+                crossing = Some(point);
+            }
+            is_crossing
+        });
+        crossing.and_then(|point| self.points[point].place.coordinates().next())
     }
 
     fn passing(&self, from: &State, to: &State) -> Option<f64> {
-        self.between([from, to], |_, part, [before, here, after]| {
-            (here < 1.0 && before >= 1.0 && after >= 1.0).then_some(part)
-        })
+        let mut earliest: Option<f64> = None;
+        self.visit_between([from, to], |_, part, [before, here, after]| {
+            let is_passing = here < 1.0 && before >= 1.0 && after >= 1.0;
+            if is_passing {
+                earliest = Some(earliest.map_or(part, |other| other.min(part)));
+            }
+            is_passing
+        });
+        earliest
     }
 
     fn term(&self, [point, target]: ContactPair) -> Arc<dyn Term> {

@@ -3,6 +3,8 @@
 use nalgebra::Vector3;
 use smallvec::SmallVec;
 
+use crate::kinematics::simpson_points;
+
 /// Largest number of nodes of an element.
 pub const NODES: usize = 4;
 
@@ -114,12 +116,27 @@ impl Face {
         }
     }
 
-    /// Returns the area in (ξ, η) that a point of [`grid_point`](Self::grid_point) stands for, relative to that in the square.
-    pub(crate) fn grid_factor(&self, [_, y]: [f64; 2]) -> f64 {
-        match self {
-            Self::Triangle(_) => 1.0 - y,
-            Self::Quad(_) => 1.0,
+    /// Returns a grid of (2 `cells` + 1)² points with their weights, line by line, on the element and its edges.
+    ///
+    /// The rule is Simpson's on a quadrilateral. On a triangle it is exact for linear functions: the trapezoidal rule along lines, and
+    /// across them the integrals of piecewise linear functions over the width 1 − y of the triangle.
+    pub(crate) fn grid_rule(&self, cells: usize) -> Vec<WeightedPoint> {
+        if let Self::Quad(_) = self {
+            return simpson_points(cells).collect();
         }
+        let last = 2 * cells;
+        let h = 1.0 / last as f64;
+        let along = |i: usize| if i == 0 || i == last { 0.5 * h } else { h };
+        let across = |j: usize| {
+            let width = 1.0 - j as f64 * h;
+            match j {
+                0 => 0.5 * h - h * h / 6.0,
+                j if j == last => h * h / 6.0,
+                _ => h * width,
+            }
+        };
+        let points = (0..=last).flat_map(|j| (0..=last).map(move |i| (i, j)));
+        points.map(|(i, j)| (self.grid_point([i as f64 * h, j as f64 * h]), along(i) * across(j))).collect()
     }
 
     /// Returns the weights of the nodes at a place.
@@ -202,6 +219,32 @@ impl Shape {
                 [-(1.0 - y), 1.0 - y, y, -y],
                 [-(1.0 - x), -x, x, 1.0 - x],
             ],
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The rules are exact for linear functions, and all corners have weights.
+    #[test]
+    fn grid_rules_are_exact_for_linear_functions() {
+        for (face, moments) in [
+            (Face::Triangle([0, 1, 2]), [0.5, 1.0 / 6.0, 1.0 / 6.0]),
+            (Face::Quad([0, 1, 2, 3]), [1.0, 0.5, 0.5]),
+        ] {
+            let rule = face.grid_rule(2);
+            assert_eq!(rule.len(), 25);
+            let sum = |f: &dyn Fn([f64; 2]) -> f64| rule.iter().map(|(at, w)| w * f(*at)).sum::<f64>();
+            let found = [sum(&|_| 1.0), sum(&|at| at[0]), sum(&|at| at[1])];
+            for (found, exact) in found.into_iter().zip(moments) {
+                assert!((found - exact).abs() < 1e-15, "{face:?}: {found} not {exact}");
+            }
+            for corner in face.shape().corners() {
+                let weight: f64 = rule.iter().filter(|(at, _)| at == corner).map(|(_, w)| w).sum();
+                assert!(weight > 0.005, "{face:?}: {corner:?} has the weight {weight}");
+            }
         }
     }
 }

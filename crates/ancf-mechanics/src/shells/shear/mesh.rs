@@ -13,7 +13,6 @@ use super::topology::MeshTopology;
 use crate::inertia::MassVisitor;
 use crate::kinematics::{
     Attachment, Directions, Marker, NodalVector, SectionFrame, VectorKind, gauss2, round_to_zero,
-    simpson_points,
 };
 
 /// Place on a mesh: an element and (ξ, η) in it, from 0 to 1.
@@ -250,14 +249,15 @@ impl ShearShellMesh {
         edges.map(|[a, b]| (self.reference[b][0] - self.reference[a][0]).norm()).fold(0.0, f64::max)
     }
 
-    /// Returns the points of Simpson's rule on `cells` × `cells` cells of each element, line by line, with their reference areas.
+    /// Returns a grid of 2 `cells` + 1 points in each direction of each element, line by line, with their reference areas.
+    ///
+    /// A uniform pressure on them is exact.
     pub fn surface_points(&self, cells: usize) -> impl Iterator<Item = (Marker, f64)> + '_ {
         (0..self.faces.len()).flat_map(move |element| {
-            simpson_points(cells).map(move |(cell, weight)| {
-                let face = &self.faces[element];
-                let place = SurfacePlace { element, at: face.grid_point(cell) };
+            self.faces[element].grid_rule(cells).into_iter().map(move |(at, weight)| {
+                let place = SurfacePlace { element, at };
                 let [t, s] = self.tangents(place).map(|tangent| tangent.reference());
-                (self.point(place), t.cross(&s).norm() * face.grid_factor(cell) * weight)
+                (self.point(place), t.cross(&s).norm() * weight)
             })
         })
     }

@@ -6,7 +6,7 @@ use crate::factor::Factor;
 use crate::sparse::SparseMatrix;
 
 /// Largest dimension of the Krylov space.
-const LARGEST: usize = 100;
+const LARGEST: usize = 200;
 /// Relative change of the result, in each of several steps, at which it is accepted.
 const TOLERANCE: f64 = 1e-4;
 const STEPS: usize = 4;
@@ -22,7 +22,7 @@ const INVARIANT: f64 = 1e-20;
 /// Source: Lanczos (1950); Paige (1974) for skew matrices.
 ///
 /// # Errors
-/// If K is singular, or not positive definite.
+/// If K is singular or found to be indefinite, or if the radius does not converge.
 pub fn skew_ratio(eom: &dyn EquationsOfMotion, matrix: SparseMatrix, s: &State) -> Result<f64, EigenError> {
     let mut left = matrix;
     eom.tangent(s, Weights::STIFFNESS, &mut left);
@@ -68,8 +68,11 @@ pub fn skew_ratio(eom: &dyn EquationsOfMotion, matrix: SparseMatrix, s: &State) 
             accepted = if (found - radius).abs() <= TOLERANCE * found { accepted + 1 } else { 0 };
             radius = found;
         }
-        if square <= INVARIANT * before || space.len() >= LARGEST || accepted >= STEPS {
+        if square <= INVARIANT * before || accepted >= STEPS {
             return Ok(radius);
+        }
+        if space.len() >= LARGEST {
+            return Err(EigenError::NotConverged);
         }
         let scale = square.sqrt().recip();
         let (next, next_force) = (&vector * scale, &force * scale);

@@ -190,7 +190,7 @@ fn rules_of_probes(model: &IndexedModel<'_>) -> Vec<Finding> {
     on_shells.filter_map(rule).collect()
 }
 
-/// Rejects contacts with shells as partners, and of thin shells with obstacles on beams.
+/// Rejects obstacles on shells, and contacts of bodies with each other that would include shells with shear.
 fn rules_of_contacts(model: &IndexedModel<'_>) -> Vec<Finding> {
     let contacts = model.contacts.iter().enumerate();
     let rule = |(i, contact): (usize, &crate::model::Contact)| {
@@ -201,20 +201,15 @@ fn rules_of_contacts(model: &IndexedModel<'_>) -> Vec<Finding> {
                 finding(format!("{path}.with.on.body"), "a shell", expected).rests_on(["bodies".into()]),
             );
         }
-        let is_on_beam = contact.with.on().is_some_and(|place| {
-            model.named(&place.body).is_some_and(|(_, body)| matches!(body, Body::Beam(_)))
+        let other = model.bodies.iter().find_map(|body| match body {
+            Body::ShearShell(_) => Some("a shell with shear"),
+            _ => body.surface().map(|_| "a rigid body with a `surface`"),
         });
-        let is_thin = || contact.bodies(model).into_iter().any(|i| matches!(model.bodies[i], Body::Shell(_)));
-        if is_on_beam && is_thin() {
-            let found = "an obstacle on a beam in contact with a thin shell";
-            let expected = "a rigid body or the ground, or a shell of the kind \"shear_shell\"";
-            let error = finding(format!("{path}.with.on.body"), found, expected);
-            return Some(error.rests_on(["bodies".into(), format!("{path}.bodies")]));
-        }
-        let has_other = || model.bodies.iter().any(|body| matches!(body, Body::ShearShell(_)));
-        (contact.bodies.is_empty() && contact.with.obstacle().is_none() && has_other()).then(|| {
-            let expected = "the names of the bodies in contact: shells with shear touch obstacles only";
-            let error = finding(path, "no `bodies` in a model with a shell with shear", expected);
+        let is_open = contact.bodies.is_empty() && contact.with.obstacle().is_none();
+        other.filter(|_| is_open).map(|other| {
+            let expected = format!("the names of the bodies in contact: {other} touches obstacles only");
+            let found = format!("no `bodies` in a model with a shell and {other}");
+            let error = finding(path, found, expected);
             Finding { absence: true, ..error.rests_on(["bodies".into()]) }
         })
     };

@@ -41,7 +41,7 @@ pub struct SurfaceFluid {
     #[unit(number)]
     #[schemars(extend("minimum" = 0))]
     pub lift: f64,
-    /// Added mass ρ a per area across the surface, as the length a; 0 by default, π b/4 on average for a strip of the width b.
+    /// Length a of the added mass ρ a per area across the surface, length; 0 by default, π b/4 on average for a strip of the width b.
     #[serde(default)]
     #[unit(length)]
     #[schemars(extend("minimum" = 0))]

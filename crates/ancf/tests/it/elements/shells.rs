@@ -235,7 +235,7 @@ fn unsupported_combinations_are_rejected() {
         (
             analysis,
             "[[contacts]]\nwith = { kind = \"plane\", point = [0, 0, -1], normal = [0, 0, 1] }\nstiffness = 1\n[analysis]",
-            "contacts[0]",
+            "contacts[0].surface_stiffness",
         ),
         (
             analysis,

@@ -91,9 +91,9 @@ fn redundant_and_contradicting_couplings_are_named() {
 #[test]
 fn coupling_of_too_many_joints_is_rejected() {
     let part = "{ joint = \"h1\", factor = 1 }";
-    let many = format!("{{ name = \"train\", joints = [{}] }}", [part; 64].join(", "));
+    let many = format!("{{ name = \"train\", joints = [{}] }}", [part; 96].join(", "));
     let errors = Model::parse(&gears(["", ""], &many)).unwrap_err().to_string();
-    assert!(errors.contains("couplings[0].joints: found 64 joints, expected at most 63"), "{errors}");
+    assert!(errors.contains("couplings[0].joints: found 96 joints, expected at most 95"), "{errors}");
 }
 
 /// A drive that stops suddenly removes the kinetic energy of the body.

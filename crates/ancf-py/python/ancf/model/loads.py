@@ -305,8 +305,8 @@ class SurfaceFluid(Part):
     drag
         Coefficients C_n and C_t of drag across and along the surface.
     added_mass
-        Added mass ρ a per area across the surface, as the length a; 0 by default, π b/4 on average for a
-        strip of the width b (>= 0).
+        Length a of the added mass ρ a per area across the surface, length; 0 by default, π b/4 on average for
+        a strip of the width b (>= 0).
     current
         Uniform velocity of the fluid, length/time; at rest by default.
     lift

@@ -193,7 +193,7 @@ impl Term for ObstacleContact {
 
     fn residual(&self, at: &Local<'_>, r: &mut [f64]) {
         self.visit(at.q, |point, x| {
-            self.add_forces(point, &self.forces(point.extent, x, &self.sums(point, at.v)), r)
+            self.add_forces(point, &self.forces(point.extent, x, &self.sums(point, at.v)), r);
         });
     }
 

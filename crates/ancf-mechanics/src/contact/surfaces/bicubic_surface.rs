@@ -126,7 +126,10 @@ pub(super) fn derivatives(
 
 /// Returns for each parameter if it is free to move along the gradient of the squared distance.
 pub(super) fn are_free(gradient: &Vector2<f64>, at: [f64; 2]) -> [bool; 2] {
-    [0, 1].map(|k| !(at[k] <= 0.0 && gradient[k] < 0.0) && !(at[k] >= 1.0 && gradient[k] > 0.0))
+    [0, 1].map(|k| {
+        let [is_before, is_beyond] = [at[k] <= 0.0 && gradient[k] < 0.0, at[k] >= 1.0 && gradient[k] > 0.0];
+        !(is_before || is_beyond)
+    })
 }
 
 /// Returns the increment towards the closest point, and true if it is that of Newton's method.

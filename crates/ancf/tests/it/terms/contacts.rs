@@ -54,7 +54,8 @@ fn surface_contacts(point: &ContactPoint, at: Vector3<f64>, law: ContactLaw) -> 
     let of = |(name, shift): (&str, [f64; 2])| -> Vec<(String, Box<dyn Term>)> {
         let target = shell(at, shift);
         let (surface, free) = target.element_surfaces().next().unwrap();
-        let contact = |point: &ContactPoint| SurfaceContact::new(&[point.clone()], &surface, free, 3.0, law);
+        let contact =
+            |point: &ContactPoint| SurfaceContact::new(std::slice::from_ref(point), &surface, free, 3.0, law);
         // Both shells have the same coordinates.
         let own = ContactPoint::new(other.clone(), 0.02);
         vec![

@@ -81,9 +81,9 @@ fn skew_parts_complete_the_derivatives() {
                 complete[(j, i)] -= value;
             };
             if w.q == 1.0 {
-                term.skew_stiffness(&at, &mut add)
+                term.skew_stiffness(&at, &mut add);
             } else {
-                term.skew_damping(&at, &mut add)
+                term.skew_damping(&at, &mut add);
             }
             let column = |j: usize| {
                 let mut z = nalgebra::DVector::zeros(n);

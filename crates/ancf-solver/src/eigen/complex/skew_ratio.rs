@@ -17,7 +17,7 @@ const INVARIANT: f64 = 1e-20;
 /// part A of the stiffness.
 ///
 /// It bounds |Im ω²|/Re ω² of all modes of K + A (Bendixson 1902), and is the spectral radius of B = K⁻¹A. B is skew in the inner
-/// product of K. Lanczos's method with full orthogonalisation finds the radius from below, to about [`TOLERANCE`].
+/// product of K. Lanczos's method with full orthogonalisation finds the radius from below, to about 1e-4.
 ///
 /// Source: Lanczos (1950); Paige (1974) for skew matrices.
 ///

@@ -7,7 +7,7 @@ use super::contact_pairs::{ActiveContacts, ActiveGroup, ContactSearch};
 use super::dependence::scaled_constraint_rows;
 use super::motion_equations::EquationsOfMotion;
 use super::scatter::{Scatter, pattern_of, scatters};
-use super::term_sums::LocalState;
+use super::term_sums::{LocalState, USUAL};
 use super::terms::{LOCAL, Local, LocalMatrix, State, Term};
 use super::thread_parts::ThreadParts;
 use crate::sparse::{ConstraintRow, Pattern, SparseMatrix};
@@ -212,11 +212,17 @@ impl System {
         sum: &mut [f64],
         share: impl Fn(&dyn Term, &Local<'_>, &mut [f64]),
     ) {
-        let (mut gathered, mut rows) = (LocalState::EMPTY, [0.0; LOCAL]);
+        let (mut gathered, mut small, mut large) = (LocalState::EMPTY, [0.0; USUAL], Vec::new());
         for term in terms {
             let term = term.as_ref();
             let local = gathered.gather(s, term);
             let n = local.q.len() + local.lambda.len();
+            let rows = if n <= USUAL {
+                &mut small[..]
+            } else {
+                large.resize(LOCAL, 0.0);
+                &mut large[..]
+            };
             rows[..n].fill(0.0);
             share(term, &local, &mut rows[..n]);
             let (of_coordinates, of_multipliers) = rows[..n].split_at(local.q.len());
@@ -236,11 +242,17 @@ impl System {
         values: &mut [f64],
         mut share: impl FnMut(&dyn Term, &mut LocalMatrix<'_>),
     ) {
-        let mut storage = [0.0; LOCAL * (LOCAL + 1) / 2];
+        let (mut small, mut large) = ([0.0; USUAL * (USUAL + 1) / 2], Vec::new());
         for i in terms {
             let term = self.terms[i].as_ref();
             let size = term.coordinates().len() + term.multipliers().len();
-            let mut block = LocalMatrix::zero(size, &mut storage);
+            let storage = if size <= USUAL {
+                &mut small[..]
+            } else {
+                large.resize(LOCAL * (LOCAL + 1) / 2, 0.0);
+                &mut large[..]
+            };
+            let mut block = LocalMatrix::zero(size, storage);
             share(term, &mut block);
             let lower = block.lower();
             self.scatters[i].add(values, 0, |k| lower[k]);

@@ -89,42 +89,48 @@ pub(super) fn powers<'a>(terms: impl Iterator<Item = &'a Arc<dyn Term>>, s: &Sta
     sum
 }
 
+/// Number of coordinates and of multipliers up to which the state of a term is on the stack. To clear more would take longer than to
+/// evaluate a small term.
+pub(super) const USUAL: usize = 48;
+
 /// State variables of one term, gathered from a global state.
 #[derive(Clone, Debug)]
 pub struct LocalState {
-    q: [f64; LOCAL],
-    v: [f64; LOCAL],
-    a: [f64; LOCAL],
-    lambda: [f64; LOCAL],
+    /// q, v, a and λ of usual terms.
+    small: [[f64; USUAL]; 4],
+    /// Those of larger terms, one after the other.
+    large: Vec<f64>,
 }
 
 impl LocalState {
     /// State of no term.
-    pub const EMPTY: Self = Self { q: [0.0; LOCAL], v: [0.0; LOCAL], a: [0.0; LOCAL], lambda: [0.0; LOCAL] };
+    pub const EMPTY: Self = Self { small: [[0.0; USUAL]; 4], large: Vec::new() };
 
     /// Gathers the state variables of a term.
     pub fn gather<'a>(&'a mut self, s: &State, term: &dyn Term) -> Local<'a> {
         let (coordinates, multipliers) = (term.coordinates(), term.multipliers());
-        for (i, &c) in coordinates.iter().enumerate() {
-            self.q[i] = s.q[c];
-            self.v[i] = s.v[c];
-            self.a[i] = s.a[c];
-        }
-        let (n, m) = (coordinates.len(), multipliers.len());
-        self.lambda[..m].copy_from_slice(&s.lambda[multipliers]);
         let observed = term.observed_multipliers();
+        let (n, m) = (coordinates.len(), multipliers.len());
+        let all = m + observed.len();
+        let (q, v, a, lambda): (&mut [f64], &mut [f64], &mut [f64], &mut [f64]) = if n.max(all) <= USUAL {
+            let [q, v, a, lambda] = &mut self.small;
+            (q, v, a, lambda)
+        } else {
+            self.large.resize(4 * LOCAL, 0.0);
+            let (first, second) = self.large.split_at_mut(2 * LOCAL);
+            let ((q, v), (a, lambda)) = (first.split_at_mut(LOCAL), second.split_at_mut(LOCAL));
+            (q, v, a, lambda)
+        };
+        for (i, &c) in coordinates.iter().enumerate() {
+            q[i] = s.q[c];
+            v[i] = s.v[c];
+            a[i] = s.a[c];
+        }
+        lambda[..m].copy_from_slice(&s.lambda[multipliers]);
         for (k, &other) in observed.iter().enumerate() {
-            self.lambda[m + k] = s.lambda[other];
+            lambda[m + k] = s.lambda[other];
         }
-        let m = m + observed.len();
-        Local {
-            q: &self.q[..n],
-            v: &self.v[..n],
-            a: &self.a[..n],
-            lambda: &self.lambda[..m],
-            t: s.t,
-            load: s.load,
-        }
+        Local { q: &q[..n], v: &v[..n], a: &a[..n], lambda: &lambda[..all], t: s.t, load: s.load }
     }
 }
 

@@ -6,7 +6,7 @@ use nalgebra::{Matrix3, SMatrix, Vector3};
 use super::flow_field::{FlowField, FluidMotion, HydroCoefficients, HydroSurface, RelativeFlow};
 use crate::bodies::BodyTerms;
 use crate::kinematics::Marker;
-use crate::shells::{ShearShellMesh, ShellMesh, VECTORS};
+use crate::shells::VECTORS;
 
 /// Hydrodynamic or aerodynamic load of one element of a shell: drag, lift, added mass and buoyancy.
 ///
@@ -42,6 +42,11 @@ struct SurfaceStation {
 
 /// Derivatives by the vectors of an element.
 type Blocks = [[Matrix3<f64>; VECTORS]; VECTORS];
+
+/// Returns an entry by its row and column.
+fn entry(blocks: &Blocks, row: usize, column: usize) -> f64 {
+    blocks[row / 3][column / 3][(row % 3, column % 3)]
+}
 
 /// Skew entries of this size, relative to the derivative, are rounding errors.
 const NEGLIGIBLE: f64 = 1e-13;
@@ -87,12 +92,7 @@ impl SurfaceStation {
 
 impl SurfaceFlowLoad {
     /// Creates the load of an element from its points, tangents and areas.
-    fn new(
-        fluid: &Arc<FlowField>,
-        surface: &HydroSurface,
-        points: impl Iterator<Item = ([Marker; 3], f64)>,
-    ) -> Self {
-        let points: Vec<_> = points.collect();
+    fn new(fluid: &Arc<FlowField>, surface: &HydroSurface, points: Vec<([Marker; 3], f64)>) -> Self {
         let coordinates = Marker::union_coordinates(points.iter().flat_map(|(markers, _)| markers));
         let station = |(markers, area): ([Marker; 3], f64)| {
             let [point, a, b] = markers.map(|marker| marker.within(&coordinates));
@@ -120,15 +120,12 @@ impl SurfaceFlowLoad {
         fluid: &Arc<FlowField>,
         surface: &HydroSurface,
     ) -> Vec<Self> {
-        let thin =
-            |mesh: &ShellMesh, element| Self::new(fluid, surface, mesh.flow_points(element).into_iter());
-        let thick =
-            |mesh: &ShearShellMesh, element| Self::new(fluid, surface, mesh.flow_points(element).into_iter());
-        match body {
-            BodyTerms::Shell(mesh) => elements.into_iter().map(|element| thin(mesh, element)).collect(),
-            BodyTerms::ShearShell(mesh) => elements.into_iter().map(|element| thick(mesh, element)).collect(),
-            BodyTerms::Flexible(_) | BodyTerms::Rigid(_) => Vec::new(),
-        }
+        let points = |element: usize| match body {
+            BodyTerms::Shell(mesh) => Some(mesh.flow_points(element)),
+            BodyTerms::ShearShell(mesh) => Some(mesh.flow_points(element)),
+            BodyTerms::Flexible(_) | BodyTerms::Rigid(_) => None,
+        };
+        elements.into_iter().filter_map(points).map(|points| Self::new(fluid, surface, points)).collect()
     }
 
     /// Computes the derivative of the residual along dq = w_q z, dv = w_v z, da = w_a z, in blocks of vectors.
@@ -158,8 +155,7 @@ impl SurfaceFlowLoad {
         let blocks = self.blocks(at, w);
         let largest = blocks.iter().flatten().map(Matrix3::amax).fold(0.0, f64::max);
         self.each_entry(|row, column| {
-            let (a, i, b, j) = (row / 3, row % 3, column / 3, column % 3);
-            let value = 0.5 * (blocks[a][b][(i, j)] - blocks[b][a][(j, i)]);
+            let value = 0.5 * (entry(&blocks, row, column) - entry(&blocks, column, row));
             if row > column && value.abs() > NEGLIGIBLE * largest {
                 visit(row, column, value);
             }
@@ -207,8 +203,7 @@ impl Term for SurfaceFlowLoad {
     fn tangent(&self, at: &Local<'_>, w: Weights, k: &mut LocalMatrix<'_>) {
         let blocks = self.blocks(at, w);
         self.each_entry(|row, column| {
-            let (a, i, b, j) = (row / 3, row % 3, column / 3, column % 3);
-            k.add(row, column, 0.5 * (blocks[a][b][(i, j)] + blocks[b][a][(j, i)]));
+            k.add(row, column, 0.5 * (entry(&blocks, row, column) + entry(&blocks, column, row)));
         });
     }
 

@@ -1,7 +1,4 @@
-use std::sync::Arc;
-
-use ancf_mechanics::fluid::{FlowField, HydroSection};
-use nalgebra::Vector3;
+use ancf_mechanics::fluid::HydroSection;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -92,12 +89,7 @@ impl LoadKind for Fluid {
 
     fn build(&self, builder: &mut LoadBuilder<'_>) {
         let context = builder.context();
-        let medium = Arc::new(FlowField {
-            density: self.density,
-            gravity: Vector3::from(context.gravity()),
-            current: Vector3::from(self.current),
-            function: builder.function(&self.time),
-        });
+        let medium = builder.flow(self.density, self.current, &self.time);
         // Bodies in the order of the model, which is that of their coordinates.
         for name in builder.body_names().filter(|&name| self.bodies.iter().any(|own| own == name)) {
             let Some((body, mesh)) = builder.flexible(name) else { continue };

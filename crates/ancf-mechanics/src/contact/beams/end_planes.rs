@@ -1,7 +1,7 @@
 use nalgebra::Vector3;
 
 use super::axis_curve::AxisCurve;
-use crate::contact::parts::NODE_TRANSITION;
+use crate::contact::parts::{END_MARGIN, EndBounds, NODE_TRANSITION};
 
 /// Planes at both ends of an element. A point beyond one of them has no contact with the element, but with a neighbour.
 ///
@@ -9,19 +9,12 @@ use crate::contact::parts::NODE_TRANSITION;
 /// which the element has no share. This is the case if (p − bⱼ)·hₖ < 0 for all Bézier points bⱼ and their differences hₖ.
 /// Neighbours on an axis thus have no terms unless it is folded.
 #[derive(Debug)]
-pub(super) struct EndPlanes {
-    /// Differences hₖ of the Bézier points, with the bounds of p·hₖ at both ends.
-    slopes: [(Vector3<f64>, [f64; 2]); 3],
-}
-
-/// Distance from a plane, relative to the sum of the radii, beyond which a point has no contact.
-const MARGIN: f64 = 0.5;
+pub(super) struct EndPlanes(EndBounds<3>);
 
 impl EndPlanes {
     /// Creates the planes for points within a distance of an element.
     pub(super) fn new(curve: &AxisCurve, ends: [bool; 2], distance: f64) -> Self {
-        let points = curve.bezier_points();
-        let margin = MARGIN * distance;
+        let (points, margin) = (curve.bezier_points(), END_MARGIN * distance);
         let is_valid = |end: usize| {
             let [_, slope, _] = curve.at(end as f64);
             // The distance has no other minimum at the end, and the margin exceeds the transition at the node.
@@ -29,29 +22,13 @@ impl EndPlanes {
                 && distance * curve.bending() < slope.norm_squared()
                 && margin > 4.0 * NODE_TRANSITION * slope.norm()
         };
-        let valid = [is_valid(0), is_valid(1)];
-        let slopes = std::array::from_fn(|k| {
-            let h = points[k + 1] - points[k];
-            let along = points.map(|point| point.dot(&h));
-            let lower = along.into_iter().fold(f64::INFINITY, f64::min) - margin * h.norm();
-            let upper = along.into_iter().fold(f64::NEG_INFINITY, f64::max) + margin * h.norm();
-            (
-                h,
-                [
-                    if valid[0] { lower } else { f64::NEG_INFINITY },
-                    if valid[1] { upper } else { f64::INFINITY },
-                ],
-            )
-        });
-        Self { slopes }
+        let differences = [0, 1, 2].map(|k| points[k + 1] - points[k]);
+        Self(EndBounds::new(&points, differences, [0, 1].map(is_valid), margin))
     }
 
     /// Returns true if a point is beyond an end where the beam continues.
     pub(super) fn are_passed(&self, point: &Vector3<f64>) -> bool {
-        let all = |test: &dyn Fn(f64, [f64; 2]) -> bool| {
-            self.slopes.iter().all(|(h, bounds)| test(point.dot(h), *bounds))
-        };
-        all(&|along, [lower, _]| along < lower) || all(&|along, [_, upper]| along > upper)
+        self.0.are_passed(point)
     }
 }
 

@@ -1,7 +1,7 @@
 use nalgebra::Vector3;
 
 use super::bicubic_surface::BicubicSurface;
-use crate::contact::parts::NODE_TRANSITION;
+use crate::contact::parts::{END_MARGIN, EndBounds, NODE_TRANSITION};
 
 /// Planes at the edges of an element. A point beyond one of them has no contact with the element, but with a neighbour.
 ///
@@ -9,47 +9,26 @@ use crate::contact::parts::NODE_TRANSITION;
 /// which the element has no share. This is the case if (p − b)·h < 0 for all Bézier points b and their differences h along ξ.
 /// Neighbours thus have no terms unless the surface is folded.
 #[derive(Debug)]
-pub(super) struct EdgePlanes {
-    /// Differences h of the Bézier points along ξ and along η, with the bounds of p·h at both edges.
-    slopes: [[(Vector3<f64>, [f64; 2]); 12]; 2],
-}
-
-/// Distance from a plane, relative to the sum of the radii, beyond which a point has no contact.
-const MARGIN: f64 = 0.5;
+pub(super) struct EdgePlanes([EndBounds<12>; 2]);
 
 impl EdgePlanes {
     /// Creates the planes for points within a distance of an element. `free` marks the free edges along ξ and along η.
     pub(super) fn new(surface: &BicubicSurface, free: [[bool; 2]; 2], distance: f64) -> Self {
-        let (points, margin) = (&surface.points, MARGIN * distance);
-        let slopes = [0, 1].map(|direction| {
-            std::array::from_fn(|k| {
-                let (i, j) = (k % 3, k / 3);
-                let h = match direction {
-                    0 => points[j][i + 1] - points[j][i],
-                    _ => points[i + 1][j] - points[i][j],
-                };
-                let along = || surface.all_points().map(|point| point.dot(&h));
-                // The margin exceeds the transition at the edge.
-                let is_valid =
-                    |end: usize| !free[direction][end] && margin > 12.0 * NODE_TRANSITION * h.norm();
-                let lower = along().fold(f64::INFINITY, f64::min) - margin * h.norm();
-                let upper = along().fold(f64::NEG_INFINITY, f64::max) + margin * h.norm();
-                let bounds = [
-                    if is_valid(0) { lower } else { f64::NEG_INFINITY },
-                    if is_valid(1) { upper } else { f64::INFINITY },
-                ];
-                (h, bounds)
-            })
-        });
-        Self { slopes }
+        let (points, margin) = (&surface.points, END_MARGIN * distance);
+        let along_x = std::array::from_fn(|k| points[k / 3][k % 3 + 1] - points[k / 3][k % 3]);
+        let along_y = std::array::from_fn(|k| points[k % 3 + 1][k / 3] - points[k % 3][k / 3]);
+        let bounds = |differences: [Vector3<f64>; 12], free: [bool; 2]| {
+            // The margin exceeds the transition at the edge.
+            let is_far = differences.iter().all(|h| margin > 12.0 * NODE_TRANSITION * h.norm());
+            let valid = free.map(|free| !free && is_far);
+            EndBounds::new(points.as_flattened(), differences, valid, margin)
+        };
+        Self([bounds(along_x, free[0]), bounds(along_y, free[1])])
     }
 
     /// Returns true if a point is beyond an edge where the surface continues.
     pub(super) fn are_passed(&self, point: &Vector3<f64>) -> bool {
-        self.slopes.iter().any(|slopes| {
-            slopes.iter().all(|(h, [lower, _])| point.dot(h) < *lower)
-                || slopes.iter().all(|(h, [_, upper])| point.dot(h) > *upper)
-        })
+        self.0.iter().any(|bounds| bounds.are_passed(point))
     }
 }
 

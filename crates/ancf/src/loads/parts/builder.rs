@@ -1,6 +1,8 @@
 use std::fmt;
+use std::sync::Arc;
 
 use ancf_mechanics::bodies::{BeamMesh, BodyTerms};
+use ancf_mechanics::fluid::FlowField;
 use ancf_mechanics::forces::{ExternalForce, Force};
 use ancf_mechanics::functions::{ForceFunction, Function};
 use ancf_mechanics::kinematics::{Attachment, BodyVector, Marker};
@@ -47,6 +49,17 @@ impl<'a> LoadBuilder<'a> {
     /// Function of time for the analysis: 1 in statics, where the load factor multiplies the load.
     pub fn function(&self, time: &TimeFunction) -> Function {
         self.time_mode.function(time)
+    }
+
+    /// Fluid of a density with a uniform current, which a function of time multiplies.
+    pub(in crate::loads) fn flow(
+        &self,
+        density: f64,
+        current: [f64; 3],
+        time: &TimeFunction,
+    ) -> Arc<FlowField> {
+        let (gravity, function) = (Vector3::from(self.context.gravity()), self.function(time));
+        Arc::new(FlowField { density, gravity, current: Vector3::from(current), function })
     }
 
     /// Treatment of functions of time.

@@ -1,7 +1,4 @@
-use std::sync::Arc;
-
-use ancf_mechanics::fluid::{FlowField, HydroSurface, SurfaceFlowLoad};
-use nalgebra::Vector3;
+use ancf_mechanics::fluid::{HydroSurface, SurfaceFlowLoad};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -57,13 +54,7 @@ impl LoadKind for SurfaceFluid {
     }
 
     fn build(&self, builder: &mut LoadBuilder<'_>) {
-        let context = builder.context();
-        let medium = Arc::new(FlowField {
-            density: self.density,
-            gravity: Vector3::from(context.gravity()),
-            current: Vector3::from(self.current),
-            function: builder.function(&self.time),
-        });
+        let medium = builder.flow(self.density, self.current, &self.time);
         let Some((body, terms)) = builder.body(&self.body) else { return };
         let thickness = body.layup().map_or(0.0, |layup| layup.thickness);
         let surface =

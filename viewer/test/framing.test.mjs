@@ -21,6 +21,7 @@ const SPATIAL = [
   "arc",
   "banner",
   "bracket",
+  "cloth",
   "column",
   "hanging_rope",
   "roof",

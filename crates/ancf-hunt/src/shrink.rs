@@ -137,6 +137,7 @@ fn without_body(model: &mut Model, name: &str) {
         Load::DistributedForce(line) => line.body != name,
         Load::DistributedMoment(line) => line.body != name,
         Load::Prestrain(prestrain) => prestrain.body != name,
+        Load::SurfacePrestrain(prestrain) => prestrain.body != name,
         Load::SurfaceForce(surface) => surface.body != name,
         Load::SurfacePressure(surface) => surface.body != name,
         Load::SurfaceFluid(surface) => surface.body != name,
@@ -184,6 +185,7 @@ fn constant(load: &mut Load) {
         Load::Prestrain(load) => {
             (load.time, load.strain_end, load.curvature_end) = (TimeFunction::default(), None, None);
         }
+        Load::SurfacePrestrain(load) => load.time = TimeFunction::default(),
         _ => {}
     }
 }

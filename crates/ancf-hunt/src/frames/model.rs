@@ -253,6 +253,13 @@ impl Frame {
                 load.curvature = self.line_moment(load.curvature, true);
                 load.curvature_end = load.curvature_end.map(|curvature| self.line_moment(curvature, true));
             }
+            Load::SurfacePrestrain(load) => {
+                // The nodes of a reflected element have the opposite order: the second direction is reversed, the normal is not.
+                for components in [&mut load.strain, &mut load.tension, &mut load.curvature] {
+                    components[2] *= self.sign();
+                }
+                load.axis = load.axis.map(|axis| self.polar(axis));
+            }
             Load::SurfaceForce(load) => load.force = self.polar(load.force),
             Load::SurfacePressure(_) => {}
             Load::EdgeForce(_) | Load::EdgeMoment(_) => return None,

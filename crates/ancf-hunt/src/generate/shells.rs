@@ -21,17 +21,18 @@ pub(super) fn add(draft: &mut Draft) {
     let is_on_ground = roots.is_empty() || !draft.is_free && draft.random.chance(0.3);
     let root = (!is_on_ground).then(|| roots[draft.random.index(roots.len())].clone());
     let start = root.as_ref().map_or_else(Vector3::zeros, |root| root.point);
-    let spots = patch(draft, start);
+    let (spots, thickness) = patch(draft, start);
     if root.is_some() || !draft.is_free {
         joints::attach(draft, &spots[0], root.as_ref());
     }
     pressure(draft, &spots[0].body);
+    prestrain(draft, &spots[0].body, thickness);
     draft.spots.extend(spots);
     std::mem::swap(&mut draft.random, &mut own);
 }
 
-/// Adds a shell whose first node is at a point. Returns its first and its last node.
-fn patch(draft: &mut Draft, start: Vector3<f64>) -> Vec<Spot> {
+/// Adds a shell whose first node is at a point. Returns its first and its last node, and its thickness.
+fn patch(draft: &mut Draft, start: Vector3<f64>) -> (Vec<Spot>, f64) {
     let name = format!("b{}", draft.bodies.len());
     let [n, m] = [1 + draft.random.index(3), 1 + draft.random.index(2)];
     let sides = [0.6, 0.4].map(|size| size * draft.sizes.length * draft.random.within(0.5, 1.0));
@@ -72,7 +73,27 @@ fn patch(draft: &mut Draft, start: Vector3<f64>) -> Vec<Spot> {
         point: nodes[node],
         is_end: true,
     };
-    vec![spot(0), spot(nodes.len() - 1)]
+    (vec![spot(0), spot(nodes.len() - 1)], thickness)
+}
+
+/// Adds prescribed strains and curvatures in some cases. They have random numbers of their own, as shells.
+fn prestrain(draft: &mut Draft, body: &str, thickness: f64) {
+    let mut own = Random::new(draft.random.clone().bits() ^ STREAM);
+    if !own.chance(0.3) {
+        return;
+    }
+    std::mem::swap(&mut draft.random, &mut own);
+    let time = draft.time(false);
+    let strain = list(&draft.vector(0.02));
+    let mut load = json!({ "kind": "surface_prestrain", "body": body, "strain": strain, "time": time });
+    if draft.random.chance(0.5) {
+        load["curvature"] = list(&draft.vector(0.02 / thickness));
+    }
+    if draft.random.chance(0.3) {
+        load["axis"] = list(&draft.random.direction());
+    }
+    draft.loads.push(load);
+    std::mem::swap(&mut draft.random, &mut own);
 }
 
 /// Adds a pressure, a force per area or a fluid in some cases.

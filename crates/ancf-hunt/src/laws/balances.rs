@@ -132,7 +132,8 @@ fn dead_loads(model: &Model) -> Option<Vector3<f64>> {
     for load in &model.loads {
         match load {
             Load::Force(force) if !force.follower => sum += Vector3::from(force.force),
-            Load::Moment(_) | Load::DistributedMoment(_) | Load::Prestrain(_) => {}
+            Load::Moment(_) | Load::DistributedMoment(_) | Load::Prestrain(_) | Load::SurfacePrestrain(_) => {
+            }
             Load::DistributedForce(line) if !line.follower => {
                 let body = model.bodies.iter().find(|body| body.name() == line.body)?;
                 let length = body.arc_length(&line.to) - body.arc_length(&line.from);

@@ -32,7 +32,7 @@ pub struct Shell48 {
 }
 
 /// Returns the nodal vectors of a slice of coordinates.
-fn vectors(x: &[f64]) -> [Vector3<f64>; VECTORS] {
+pub(super) fn vectors(x: &[f64]) -> [Vector3<f64>; VECTORS] {
     std::array::from_fn(|i| Vector3::new(x[3 * i], x[3 * i + 1], x[3 * i + 2]))
 }
 
@@ -59,12 +59,16 @@ impl Shell48 {
     pub fn strain_energy(&self, q: &[f64]) -> f64 {
         let strains = self.state(q).strains;
         let stress = self.profile.stress(&self.tables, &strains);
-        let membrane: f64 = stress.membrane.iter().zip(&strains.membrane).map(|(n, e)| n * e).sum();
-        let bending: f64 = stress.bending.iter().zip(&strains.bending).map(|(m, k)| m.dot(k)).sum();
-        0.5 * (membrane + bending)
+        0.5 * stress.product(&strains)
     }
 
-    fn state(&self, q: &[f64]) -> SurfaceState {
+    /// Returns the tables of all elements.
+    pub(super) fn tables(&self) -> &ShellTables {
+        &self.tables
+    }
+
+    /// Evaluates the surface, from the coordinates of the element.
+    pub(super) fn state(&self, q: &[f64]) -> SurfaceState {
         SurfaceState::new(&self.tables, &self.profile, &vectors(q))
     }
 
@@ -99,7 +103,12 @@ impl Shell48 {
     }
 
     /// Computes `material` times the material stiffness plus the stiffness of stresses.
-    fn stiffness(&self, state: &SurfaceState, material: f64, stress: &ShellStrains) -> ShellMatrix {
+    pub(super) fn stiffness(
+        &self,
+        state: &SurfaceState,
+        material: f64,
+        stress: &ShellStrains,
+    ) -> ShellMatrix {
         let (tables, profile) = (&*self.tables, &*self.profile);
         let mut sum = ShellMatrix::ZERO;
         Arch::new().dispatch(StiffnessJob { state, tables, profile, material, stress, sum: &mut sum });
@@ -121,17 +130,30 @@ impl Shell48 {
     }
 
     /// Computes the stresses of a step, with moments that do the work of the stresses on the exact changes of curvature.
-    ///
-    /// The membrane strains are quadratic in q: B(q_m) Δq is their exact change. The moments m of a point get the correction
-    /// D d (m·(Δκ − d))/(d·D d), d = B(q_m) Δq.
-    ///
-    /// Source: Gonzalez (2000), discrete derivatives in the strains: momenta are preserved.
     fn step_stress(&self, middle: &SurfaceState, step: &LocalStep<'_>) -> ShellStrains {
         let [before, after] = [&step.from, &step.to].map(|at| self.state(at.q).strains);
         let (mut strains, [of_before, of_after]) = (ShellStrains::ZERO, step.shares());
         strains.add(of_before, &before);
         strains.add(of_after, &after);
         let mut stress = self.profile.stress(&self.tables, &strains);
+        self.correct_moments(&mut stress, middle, [&before, &after], step);
+        stress.add(1.0, &self.profile.stress(&self.tables, &self.retarded(middle, &step.middle)));
+        stress
+    }
+
+    /// Corrects the moments of stresses, so that the forces of the middle of a step do their work on the changes of the strains.
+    ///
+    /// The membrane strains are quadratic in q: B(q_m) Δq is their exact change. The moments m of a point get the correction
+    /// D d (m·(Δκ − d))/(d·D d), d = B(q_m) Δq.
+    ///
+    /// Source: Gonzalez (2000), discrete derivatives in the strains: momenta are preserved.
+    pub(super) fn correct_moments(
+        &self,
+        stress: &mut ShellStrains,
+        middle: &SurfaceState,
+        [before, after]: [&ShellStrains; 2],
+        step: &LocalStep<'_>,
+    ) {
         let (from, to) = (vectors(step.from.q), vectors(step.to.q));
         let moved = middle.rates(&self.tables, &std::array::from_fn(|a| to[a] - from[a]));
         let sizes: f64 = to.iter().chain(&from).map(|x| x.norm()).sum();
@@ -146,8 +168,6 @@ impl Shell48 {
                 stress.bending[k] += stiffness * (work / square);
             }
         }
-        stress.add(1.0, &self.profile.stress(&self.tables, &self.retarded(middle, &step.middle)));
-        stress
     }
 
     fn add_forces(&self, state: &SurfaceState, stress: &ShellStrains, at: &Local<'_>, r: &mut [f64]) {

@@ -7,6 +7,7 @@ use nalgebra::Vector3;
 use super::element::Shell48;
 use super::element_surface::ElementSurface;
 use super::hermite::{VECTORS, bicubic};
+use super::prestrain::{ElementPrestrain, SurfacePrestrain, SurfacePrestrains};
 use super::profile::{ShellMedium, integration_points};
 use crate::inertia::MassVisitor;
 use crate::kinematics::{
@@ -40,6 +41,7 @@ pub struct ShellMesh {
     /// Reference values of the vectors, positions relative to the origin.
     reference: Vec<Vector3<f64>>,
     elements: Arc<Vec<Shell48>>,
+    prestrains: SurfacePrestrains,
 }
 
 impl ShellMesh {
@@ -70,7 +72,19 @@ impl ShellMesh {
             (coordinates, std::array::from_fn(of))
         });
         let elements = Arc::new(Shell48::all(data, medium));
-        Self { first, divisions, origin, reference, elements }
+        let prestrains = SurfacePrestrains::default();
+        Self { first, divisions, origin, reference, elements, prestrains }
+    }
+
+    /// Prescribes strains.
+    #[must_use]
+    pub fn with_prestrains(self, sources: Vec<SurfacePrestrain>) -> Self {
+        let of = |element: usize, here| ElementPrestrain::new(&self.elements[element], here);
+        Self { prestrains: SurfacePrestrains::new(sources, self.elements.len(), of), ..self }
+    }
+
+    pub(super) fn prestrains(&self) -> &SurfacePrestrains {
+        &self.prestrains
     }
 
     /// Returns the indices of the vectors of an element, in local order.
@@ -97,9 +111,10 @@ impl ShellMesh {
         &self.elements
     }
 
-    /// Returns the elements as terms.
+    /// Returns the elements, then their prescribed strains as terms.
     pub fn terms(&self) -> Vec<Box<dyn Term>> {
-        self.elements.iter().map(|element| Box::new(element.clone()) as _).collect()
+        let elements = self.elements.iter().map(|element| Box::new(element.clone()) as _);
+        elements.chain(self.prestrains.copied()).collect()
     }
 
     /// Returns all nodal vectors in a state, in the order of the coordinates.
@@ -312,12 +327,12 @@ impl ShellMesh {
 
     /// Returns the strain energy.
     pub fn strain_energy(&self, s: &State) -> f64 {
-        let of = |element: &Shell48| {
-            let mut q = [0.0; 3 * VECTORS];
-            q.iter_mut().zip(element.coordinates()).for_each(|(q, &c)| *q = s.q[c]);
-            element.strain_energy(&q)
+        let displacements = |element: usize| -> Vec<f64> {
+            self.elements[element].coordinates().iter().map(|&c| s.q[c]).collect()
         };
-        self.elements.iter().map(of).sum()
+        let of = |(k, element): (usize, &Shell48)| element.strain_energy(&displacements(k));
+        let own: f64 = self.elements.iter().enumerate().map(of).sum();
+        own + self.prestrains.strain_energy(s, displacements)
     }
 
     /// Returns the integration points of an edge with the lengths that they stand for, element by element.

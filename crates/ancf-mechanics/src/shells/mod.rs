@@ -6,6 +6,7 @@ mod hermite;
 mod laminates;
 mod mesh;
 mod pressure;
+mod prestrain;
 mod profile;
 mod rounding;
 mod rows;
@@ -21,6 +22,7 @@ pub use hermite::VECTORS;
 pub use laminates::{Laminate, Ply, PlyElasticity, ShellSection, SurfaceMaterial, ThickSection};
 pub use mesh::{ShellEdge, ShellMesh};
 pub use pressure::SurfacePressure;
+pub use prestrain::SurfacePrestrain;
 pub use profile::{ShellMedium, ShellProfile};
 pub use shear::{
     Face, MeshTopology, NearestPoint, ShearMedium, ShearShellMesh, ShearStressField, ShellPlace,

@@ -11,6 +11,12 @@ fn size(shape: &Shape, x: &Shape) -> f64 {
     shape.iter().zip(x).map(|(shape, x)| shape.abs() * x).sum()
 }
 
+/// Errors of the stresses of an element, without those of their own rounding.
+struct Errors {
+    membrane: [f64; MEMBRANE],
+    bending: [[f64; 3]; POINTS],
+}
+
 /// Adds the bounds for an element with displacements and velocities of the given magnitudes.
 pub(crate) fn add_rounding(
     tables: &ShellTables,
@@ -20,15 +26,13 @@ pub(crate) fn add_rounding(
     bound: &mut Shape,
 ) {
     let time = profile.medium.retardation;
-    let mut errors = [0.0; MEMBRANE];
-    let mut bending = [[0.0; 3]; POINTS];
-    let mut amplified = [0.0; POINTS];
+    let mut of = Errors { membrane: [0.0; MEMBRANE], bending: [[0.0; 3]; POINTS] };
     for (t, reference) in profile.samples.iter().enumerate() {
         let MembraneSample { component, shapes, .. } = &tables.samples[t];
         let [u, w] = shapes.each_ref().map(|shape| size(shape, q));
         let [x, y] = shapes.each_ref().map(|shape| time * size(shape, v));
         let [a, b] = [reference[0].norm() + u, reference[1].norm() + w];
-        errors[t] = SUM
+        of.membrane[t] = SUM
             * match component {
                 0 => a * (u + x),
                 1 => b * (w + y),
@@ -41,45 +45,92 @@ pub(crate) fn add_rounding(
         let rates = shapes.each_ref().map(|shape| time * size(&shape.0, v));
         let dual = point.dual.map(|a| a.norm());
         let turned = sizes[0] * dual[0] + sizes[1] * dual[1];
-        amplified[k] = 1.0 + turned;
         for i in 0..3 {
             let second = reference[i + 2].norm() + sizes[i + 2];
             let rate = rates[i + 2] + second * (rates[0] * dual[0] + rates[1] * dual[1]);
-            bending[k][i] = VOIGT[i] * SUM * amplified[k] * (sizes[i + 2] + second * turned + rate);
+            of.bending[k][i] = VOIGT[i] * SUM * (1.0 + turned) * (sizes[i + 2] + second * turned + rate);
         }
     }
-    add_membrane(tables, profile, (state, stress), (&errors, &bending), bound, q);
-    add_bending(tables, profile, (state, stress), (&errors, &bending, &amplified), bound, q);
+    let of_stress = Errors {
+        membrane: membrane_errors(tables, profile, &state.strains, &of),
+        bending: bending_errors(tables, profile, &state.strains, &of),
+    };
+    distribute(tables, profile, (state, stress), &of_stress, bound, q);
 }
 
-type Errors<'a> = (&'a [f64; MEMBRANE], &'a [[f64; 3]; POINTS]);
-
-fn add_membrane(
+/// Adds the bounds of the forces of constant stresses.
+pub(crate) fn add_stress_rounding(
     tables: &ShellTables,
     profile: &ShellProfile,
-    (state, stress): (&SurfaceState, &ShellStrains),
-    (errors, bending): Errors<'_>,
-    bound: &mut Shape,
     q: &Shape,
+    (state, stress): (&SurfaceState, &ShellStrains),
+    bound: &mut Shape,
 ) {
-    let strains = &state.strains;
-    let of_strain = std::array::from_fn(|t| errors[t] + SUM * strains.membrane[t].abs());
+    let none = Errors { membrane: [0.0; MEMBRANE], bending: [[0.0; 3]; POINTS] };
+    distribute(tables, profile, (state, stress), &none, bound, q);
+}
+
+/// Errors of the membrane stresses of strains with errors.
+fn membrane_errors(
+    tables: &ShellTables,
+    profile: &ShellProfile,
+    strains: &ShellStrains,
+    of: &Errors,
+) -> [f64; MEMBRANE] {
+    let of_strain = std::array::from_fn(|t| of.membrane[t] + SUM * strains.membrane[t].abs());
     let mut error = profile.membrane.bound(&of_strain);
     if profile.is_coupled {
         for (k, point) in profile.points.iter().enumerate() {
             for (r, error) in error.iter_mut().enumerate() {
                 let of = |j: usize| {
                     let i = tables.samples[r].component;
-                    point.coupling[(i, j)].abs() * (bending[k][j] + SUM * strains.bending[k][j].abs())
+                    point.coupling[(i, j)].abs() * (of.bending[k][j] + SUM * strains.bending[k][j].abs())
                 };
                 *error += tables.sampling[k][r].abs() * (0..3).map(of).sum::<f64>();
             }
         }
     }
+    error
+}
+
+/// Errors of the moments of strains with errors.
+fn bending_errors(
+    tables: &ShellTables,
+    profile: &ShellProfile,
+    strains: &ShellStrains,
+    of: &Errors,
+) -> [[f64; 3]; POINTS] {
+    std::array::from_fn(|k| {
+        let own = &profile.points[k];
+        std::array::from_fn(|i| {
+            let bent =
+                |j: usize| own.bending[(i, j)].abs() * (of.bending[k][j] + SUM * strains.bending[k][j].abs());
+            let mut error: f64 = (0..3).map(bent).sum();
+            if profile.is_coupled {
+                for (r, strain) in strains.membrane.iter().enumerate() {
+                    error += tables.sampling[k][r].abs()
+                        * own.coupling[(tables.samples[r].component, i)].abs()
+                        * (of.membrane[r] + SUM * strain.abs());
+                }
+            }
+            error
+        })
+    })
+}
+
+/// Adds the bounds of the forces of stresses with errors.
+fn distribute(
+    tables: &ShellTables,
+    profile: &ShellProfile,
+    (state, stress): (&SurfaceState, &ShellStrains),
+    errors: &Errors,
+    bound: &mut Shape,
+    q: &Shape,
+) {
     for (t, MembraneSample { component, shapes: [x, y], .. }) in tables.samples.iter().enumerate() {
         let [u, w] = [x, y].map(|shape| size(shape, q));
         let [a, b] = [profile.samples[t][0].norm() + u, profile.samples[t][1].norm() + w];
-        let of = error[t] + SUM * stress.membrane[t].abs();
+        let of = errors.membrane[t] + SUM * stress.membrane[t].abs();
         for i in 0..VECTORS {
             let (x, y) = (x[i].abs(), y[i].abs());
             bound[i] += of
@@ -90,35 +141,14 @@ fn add_membrane(
                 };
         }
     }
-}
-
-fn add_bending(
-    tables: &ShellTables,
-    profile: &ShellProfile,
-    (state, stress): (&SurfaceState, &ShellStrains),
-    (errors, bending, amplified): (&[f64; MEMBRANE], &[[f64; 3]; POINTS], &[f64; POINTS]),
-    bound: &mut Shape,
-    q: &Shape,
-) {
     for (k, point) in state.points.iter().enumerate() {
-        let shapes = &tables.points[k];
-        let own = &profile.points[k];
+        let (shapes, reference) = (&tables.points[k], &profile.points[k].reference);
+        let sizes = shapes.each_ref().map(|shape| size(&shape.0, q));
         let dual = point.dual.map(|a| a.norm());
+        let amplified = 1.0 + sizes[0] * dual[0] + sizes[1] * dual[1];
         for i in 0..3 {
-            let mut error: f64 = (0..3)
-                .map(|j| {
-                    own.bending[(i, j)].abs() * (bending[k][j] + SUM * state.strains.bending[k][j].abs())
-                })
-                .sum();
-            if profile.is_coupled {
-                for (r, strain) in state.strains.membrane.iter().enumerate() {
-                    error += tables.sampling[k][r].abs()
-                        * own.coupling[(tables.samples[r].component, i)].abs()
-                        * (errors[r] + SUM * strain.abs());
-                }
-            }
-            let error = VOIGT[i] * (error + SUM * amplified[k] * stress.bending[k][i].abs());
-            let second = own.reference[i + 2].norm() + size(&shapes[i + 2].0, q);
+            let error = VOIGT[i] * (errors.bending[k][i] + SUM * amplified * stress.bending[k][i].abs());
+            let second = reference[i + 2].norm() + sizes[i + 2];
             for a in 0..VECTORS {
                 let tangential = dual[0] * shapes[0].0[a].abs() + dual[1] * shapes[1].0[a].abs();
                 bound[a] += error * (shapes[i + 2].0[a].abs() + second * tangential);

@@ -8,6 +8,7 @@ use nalgebra::Vector3;
 use super::hermite::{Shape, VECTORS, bicubic, surface_derivatives};
 use super::laminates::to_orthonormal;
 use super::mesh::ShellMesh;
+use super::prestrain::{Factors, StrainedElement};
 use super::profile::{MEMBRANE, each_sample, lagrange, sum};
 use super::surface_state::VOIGT;
 use super::surface_stress::SurfaceStress;
@@ -76,18 +77,19 @@ fn curvature(a: &[Vector3<f64>; 5], u: &[Vector3<f64>; 5]) -> Vector3<f64> {
 pub struct StressField<'a> {
     mesh: &'a ShellMesh,
     elements: Vec<ElementStrains>,
+    factors: Factors,
 }
 
 impl<'a> StressField<'a> {
     /// Evaluates the strains of all elements in a state.
     pub fn new(mesh: &'a ShellMesh, s: &State) -> Self {
         let elements = (0..mesh.elements().len()).map(|k| ElementStrains::new(mesh, s, k)).collect();
-        Self { mesh, elements }
+        Self { mesh, elements, factors: mesh.prestrains().factors(s) }
     }
 
     /// Returns the stresses at (u, v), as [`ShellMesh::stress`].
     pub fn at(&self, at: [f64; 2]) -> SurfaceStress {
-        self.mesh.mean_stress(at, |element, local| self.elements[element].at(local))
+        self.mesh.mean_stress(at, &self.factors, |element, local| self.elements[element].at(local))
     }
 }
 
@@ -98,31 +100,48 @@ impl ShellMesh {
     /// Curvatures are those of the surface. The errors of both fall with the second power of the size of the elements, those of
     /// curvatures faster at (½ ± 1/√12) of the elements. On the edges of elements, strains and curvatures are the means of the adjacent elements.
     pub fn stress(&self, s: &State, at: [f64; 2]) -> SurfaceStress {
-        self.mean_stress(at, |element, local| ElementStrains::new(self, s, element).at(local))
+        let factors = self.prestrains().factors(s);
+        self.mean_stress(at, &factors, |element, local| ElementStrains::new(self, s, element).at(local))
     }
 
     /// Returns the stresses of the mean strains of all elements at a point.
     fn mean_stress(
         &self,
         at: [f64; 2],
+        factors: &Factors,
         strains: impl Fn(usize, [f64; 2]) -> [Vector3<f64>; 2],
     ) -> SurfaceStress {
         let ((element, local), [n, _]) = (self.locate(at), self.divisions());
         let cell = [element % n, element / n];
-        let (mut sum, mut count) = ([Vector3::zeros(); 2], 0.0);
+        let (mut total, mut prescribed, mut count) = ([Vector3::zeros(); 2], [Vector3::zeros(); 2], 0.0);
         for back in [[0, 0], [1, 0], [0, 1], [1, 1]] {
             // A point with ξ = 0 is also on the element before.
             if (0..2).all(|k| back[k] == 0 || (local[k] == 0.0 && cell[k] > 0)) {
                 let [i, j] = [cell[0] - back[0], cell[1] - back[1]];
                 let own = [0, 1].map(|k| if back[k] == 1 { 1.0 } else { local[k] });
-                let [strain, curvature] = strains(j * n + i, own);
-                sum = [sum[0] + strain, sum[1] + curvature];
+                let element = j * n + i;
+                total.iter_mut().zip(strains(element, own)).for_each(|(sum, own)| *sum += own);
+                let own = self.prescribed_strains(at, element, factors);
+                prescribed.iter_mut().zip(own).for_each(|(sum, own)| *sum += own);
                 count += 1.0;
             }
         }
         let medium = &self.elements()[element].profile().medium;
         let direction = medium.axis.map_or([1.0, 0.0], |axis| self.direction(at, &axis));
-        SurfaceStress::new(&medium.section, direction, sum[0] / count, sum[1] / count)
+        let [total, prescribed] = [total, prescribed].map(|sum| sum.map(|x| x / count));
+        SurfaceStress::new(&medium.section, direction, total, prescribed)
+    }
+
+    /// Returns the prescribed strains of an element at (u, v), in the orthonormal frame of stresses.
+    fn prescribed_strains(&self, at: [f64; 2], element: usize, factors: &Factors) -> [Vector3<f64>; 2] {
+        if factors.is_empty() {
+            return [Vector3::zeros(); 2];
+        }
+        let [t, s] = [[1, 0], [0, 1]].map(|order| self.derivative(at, order).reference());
+        let law = self.elements()[element].law();
+        let covariant = self.prestrains().at(element, &law, [&t, &s], factors);
+        let to_local = to_orthonormal([&t, &s], &t);
+        covariant.map(|strain| to_local * strain)
     }
 
     /// Returns cosine and sine of the angle about the normal from r_,u to the projection of an axis, in the reference state.

@@ -24,6 +24,13 @@ impl ShellStrains {
         self.membrane.iter_mut().zip(&other.membrane).for_each(|(own, other)| *own += factor * other);
         self.bending.iter_mut().zip(&other.bending).for_each(|(own, other)| *own += other * factor);
     }
+
+    /// Returns Σ σ ε of stresses and strains.
+    pub(crate) fn product(&self, strains: &Self) -> f64 {
+        let membrane: f64 = self.membrane.iter().zip(&strains.membrane).map(|(n, e)| n * e).sum();
+        let bending: f64 = self.bending.iter().zip(&strains.bending).map(|(m, k)| m.dot(k)).sum();
+        membrane + bending
+    }
 }
 
 /// Factors of the components ξξ, ηη and ξη of a curvature in 2 ε_ξη notation.

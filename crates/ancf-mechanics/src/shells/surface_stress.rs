@@ -12,31 +12,35 @@ pub const LAYERS: [&str; 3] = ["top", "middle", "bottom"];
 /// second Piola-Kirchhoff, which rotations leave unchanged. For small strains they are those in the frame that rotates with the surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SurfaceStress {
-    /// Membrane strains ε₁₁, ε₂₂, 2 ε₁₂.
+    /// Membrane strains ε₁₁, ε₂₂, 2 ε₁₂, with the prescribed ones.
     pub strain: Vector3<f64>,
-    /// Changes of curvature κ₁₁, κ₂₂, 2 κ₁₂, positive for tension at the top.
+    /// Changes of curvature κ₁₁, κ₂₂, 2 κ₁₂, positive for tension at the top, with the prescribed ones.
     pub curvature: Vector3<f64>,
-    /// Membrane forces n = A ε + B κ, force per length.
+    /// Membrane forces n = A (ε − ε⁰) + B (κ − κ⁰), force per length.
     pub force: Vector3<f64>,
-    /// Moments m = B ε + D κ, moment per length, positive for tension at the top.
+    /// Moments m = B (ε − ε⁰) + D (κ − κ⁰), moment per length, positive for tension at the top.
     pub moment: Vector3<f64>,
+    /// Strains and curvatures less the prescribed ones.
+    elastic: [Vector3<f64>; 2],
     /// Stresses at the surfaces [`LAYERS`].
     pub layers: [Vector3<f64>; 3],
 }
 
 impl SurfaceStress {
-    /// Computes resultants and stresses by the law of a section, whose first direction has the given cosine and sine in (e₁, e₂).
+    /// Computes resultants and stresses by the law of a section, whose first direction has the given cosine and sine in (e₁, e₂), from
+    /// the strains and the prescribed ones.
     ///
     /// The stresses of a laminate are those of the ply at each surface; those in the middle are the means of both plies if it is
     /// the boundary of two.
     pub(crate) fn new(
         section: &ShellSection,
         [cos, sin]: [f64; 2],
-        strain: Vector3<f64>,
-        curvature: Vector3<f64>,
+        [strain, curvature]: [Vector3<f64>; 2],
+        prescribed: [Vector3<f64>; 2],
     ) -> Self {
         let to_section = strain_transform([[cos, sin], [-sin, cos]]);
-        let [own, bent] = [to_section * strain, to_section * curvature];
+        let elastic = [strain - prescribed[0], curvature - prescribed[1]];
+        let [own, bent] = elastic.map(|x| to_section * x);
         // The transposed matrix transforms the components of stresses.
         let back = |stress: Vector3<f64>| to_section.transpose() * stress;
         Self {
@@ -44,6 +48,7 @@ impl SurfaceStress {
             curvature,
             force: back(section.membrane * own + section.coupling * bent),
             moment: back(section.coupling * own + section.bending * bent),
+            elastic,
             layers: section.surfaces.map(|at| back(at.stiffness * (own + bent * at.height))),
         }
     }
@@ -68,8 +73,8 @@ impl SurfaceStress {
         })
     }
 
-    /// Returns the strain energy per area, ½ (n·ε + m·κ).
+    /// Returns the strain energy per area, ½ (n·(ε − ε⁰) + m·(κ − κ⁰)).
     pub fn energy(&self) -> f64 {
-        0.5 * (self.force.dot(&self.strain) + self.moment.dot(&self.curvature))
+        0.5 * (self.force.dot(&self.elastic[0]) + self.moment.dot(&self.elastic[1]))
     }
 }

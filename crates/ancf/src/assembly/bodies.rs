@@ -28,16 +28,25 @@ impl IndexedModel<'_> {
         time_mode: TimeMode,
     ) -> Vec<(String, BodyTerms)> {
         let of_body = |(body, (name, terms)): (&Body, (String, BodyTerms))| {
-            let source = |load: &Load| {
-                let Load::Prestrain(load) = load else { return None };
-                if load.body != name {
-                    return None;
+            let of_axis = |load: &Load| match load {
+                Load::Prestrain(load) if load.body == name => {
+                    Some(load.source(body, rigidity(body, 0.0, self)?, time_mode.function(&load.time)))
                 }
-                Some(load.source(body, rigidity(body, 0.0, self)?, time_mode.function(&load.time)))
+                _ => None,
             };
-            let sources: Vec<_> = self.loads.iter().filter_map(source).collect();
+            let of_surface = |load: &Load| match load {
+                Load::SurfacePrestrain(load) if load.body == name => {
+                    Some(load.source(body, time_mode.function(&load.time)))
+                }
+                _ => None,
+            };
+            let surfaces = || self.loads.iter().filter_map(of_surface).collect();
             let terms = match terms {
-                BodyTerms::Flexible(mesh) => BodyTerms::Flexible(mesh.with_prestrains(sources)),
+                BodyTerms::Flexible(mesh) => {
+                    BodyTerms::Flexible(mesh.with_prestrains(self.loads.iter().filter_map(of_axis).collect()))
+                }
+                BodyTerms::Shell(mesh) => BodyTerms::Shell(mesh.with_prestrains(surfaces())),
+                BodyTerms::ShearShell(mesh) => BodyTerms::ShearShell(mesh.with_prestrains(surfaces())),
                 other => other,
             };
             (name, terms)
@@ -69,7 +78,8 @@ impl IndexedModel<'_> {
             gravity: Vector3::from(self.gravity),
         };
         let divisions = shell.elements.map(|count| count as usize);
-        ShellMesh::new(first, divisions, shell.origin(), |at| shell.map(at), &medium)
+        let geometry = shell.geometry();
+        ShellMesh::new(first, divisions, geometry.origin(), |at| geometry.map(at), &medium)
     }
 
     fn shear_shell(&self, shell: &ShearShell, first: usize) -> ShearShellMesh {

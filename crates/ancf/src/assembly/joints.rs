@@ -215,19 +215,23 @@ impl IndexedModel<'_> {
             },
             End::Ground | End::Point(_) => self.is_continuum(place),
         };
-        let body = &bodies[self.body_of(place)].1;
-        let (shell, shear_shell) = (body.shell(), body.shear_shell());
-        let other_shell =
-            if let End::Place(place) = stated { bodies[self.body_of(place)].1.shell() } else { None };
-        let model_body = &self.bodies[self.body_of(place)];
+        let shells = |place: &Place| {
+            let index = self.body_of(place);
+            let body = &bodies[index].1;
+            (body.shell(), body.shear_shell().zip(self.bodies[index].shear_shell()))
+        };
+        let (shell, shear_shell) = shells(place);
+        let (other_shell, other_shear_shell) =
+            if let End::Place(other) = stated { shells(other) } else { (None, None) };
         let ends = JointEnds {
             a: &a,
             b: &b,
             stated,
             beam,
             shell,
-            shear_shell: shear_shell.zip(model_body.shear_shell()),
+            shear_shell,
             other_shell,
+            other_shear_shell,
             edge_rows,
             all_gradients,
         };

@@ -19,7 +19,7 @@ pub(crate) fn thickness_warnings(model: &Model) -> Vec<String> {
     let shells =
         model.bodies.iter().filter_map(|body| if let Body::Shell(shell) = body { Some(shell) } else { None });
     let warning = |shell: &Shell| {
-        let [_, u, v, _] = shell.map([0.5, 0.5]);
+        let [_, u, v, _] = shell.geometry().map([0.5, 0.5]);
         let ratio = shell.thickness / u.norm().max(v.norm());
         let moduli = moduli_ratio(model, shell);
         (ratio * (moduli / RATIO).sqrt() > THICK).then(|| {

@@ -11,7 +11,7 @@ use super::parts::{CustomLoad, LoadKind};
 use super::point_force::PointForce;
 use super::point_moment::PointMoment;
 use super::prestrain::Prestrain;
-use super::surface::{EdgeForce, EdgeMoment, SurfaceFluid, SurfaceForce, SurfacePressure};
+use super::surface::{EdgeForce, EdgeMoment, SurfaceFluid, SurfaceForce, SurfacePressure, SurfacePrestrain};
 use crate::model::{Place, TimeFunction};
 use crate::units::{Scaled, Scales};
 
@@ -70,6 +70,7 @@ load_kinds! {
     BaseRotation(BaseRotation),
     Fluid(Fluid),
     Prestrain(Prestrain),
+    SurfacePrestrain(SurfacePrestrain),
     External(ExternalLoad),
 }
 

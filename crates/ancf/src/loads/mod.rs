@@ -28,4 +28,4 @@ pub use point_force::PointForce;
 pub use point_moment::PointMoment;
 pub use prestrain::Prestrain;
 pub(crate) use prestrain::rigidity;
-pub use surface::{EdgeForce, EdgeMoment, SurfaceFluid, SurfaceForce, SurfacePressure};
+pub use surface::{EdgeForce, EdgeMoment, SurfaceFluid, SurfaceForce, SurfacePressure, SurfacePrestrain};

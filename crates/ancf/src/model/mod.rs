@@ -44,7 +44,10 @@ pub use crate::loads::{
     Fluid, Load, PointForce, PointMoment, SurfaceFluid, SurfaceForce, SurfacePressure,
 };
 pub use crate::units::{ScaleChoice, Units};
-pub(crate) use bodies::{ON_AXIS, edge_of_shell, named, region_of_shell, shell_body};
+pub(crate) use bodies::{
+    NOWHERE_NORMAL, ON_AXIS, SurfaceGeometry, axis_on_shell, edge_of_shell, named, region_of_shell,
+    shell_body,
+};
 pub(crate) use functions::TimeMode;
 pub(crate) use indexed::IndexedModel;
 pub(crate) use queries::{beams_of, bodies_of, joints_of, loads_of, shear_shells_of, shells_of};

@@ -10,6 +10,7 @@ use super::element::{ShearElement, Shell18, Shell24};
 use super::face::{NODES, Shape};
 use super::forms::Vectors;
 use super::profile::{ShearTables, tangents};
+use crate::shells::prestrain::{ElementPrestrain, SurfacePrestrain};
 
 /// Element of a mesh: a quadrilateral or a triangle.
 #[derive(Clone, Debug)]
@@ -99,6 +100,14 @@ impl AnyElement {
         match self {
             Self::Quad(element) => Box::new(element.clone()),
             Self::Triangle(element) => Box::new(element.clone()),
+        }
+    }
+
+    /// Creates the term of the prescribed strains of the element.
+    pub(crate) fn prestrained(&self, sources: Vec<SurfacePrestrain>) -> ElementPrestrain {
+        match self {
+            Self::Quad(element) => ElementPrestrain::new(element, sources),
+            Self::Triangle(element) => ElementPrestrain::new(element, sources),
         }
     }
 

@@ -3,7 +3,7 @@ use std::sync::Arc;
 use ancf_solver::equations::{
     Energy, Inadmissibility, Local, LocalMatrix, LocalStep, Term, Weights, velocity_forces,
 };
-use nalgebra::{SMatrix, Vector3};
+use nalgebra::{SMatrix, SVector, Vector3};
 
 use super::forms::{Strains, Vectors, Weighting, gradient, interpolate};
 use super::profile::{ShearProfile, ShearTables, tangents, volume};
@@ -43,14 +43,21 @@ pub type Shell24 = ShearElement<8, 32, 24>;
 pub type Shell18 = ShearElement<6, 12, 18>;
 
 /// Returns the nodal vectors of a slice of coordinates.
-fn vectors<const V: usize>(x: &[f64]) -> Vectors<V> {
+pub(in crate::shells) fn vectors<const V: usize>(x: &[f64]) -> Vectors<V> {
     std::array::from_fn(|i| Vector3::new(x[3 * i], x[3 * i + 1], x[3 * i + 2]))
 }
 
 /// State of an element: its strains and their gradients by the nodal vectors.
-struct ShearState<const S: usize, const C: usize> {
+pub(in crate::shells) struct ShearState<const S: usize, const C: usize> {
     strains: Strains<S>,
     gradients: SMatrix<f64, S, C>,
+}
+
+impl<const S: usize, const C: usize> ShearState<S, C> {
+    /// Computes the forces of stresses.
+    pub(in crate::shells) fn forces(&self, stress: &Strains<S>) -> SVector<f64, C> {
+        self.gradients.transpose() * stress
+    }
 }
 
 impl<const V: usize, const S: usize, const C: usize> ShearElement<V, S, C> {
@@ -72,8 +79,18 @@ impl<const V: usize, const S: usize, const C: usize> ShearElement<V, S, C> {
         0.5 * strains.dot(&self.stress(&strains))
     }
 
+    /// Returns the forms of the strains.
+    pub(in crate::shells) fn tables(&self) -> &ShearTables<V, S> {
+        &self.tables
+    }
+
+    /// Returns the constant data.
+    pub(in crate::shells) fn profile(&self) -> &ShearProfile<V, S> {
+        &self.profile
+    }
+
     /// Computes the strains for displacements of the nodal vectors.
-    pub(super) fn strains(&self, u: &Vectors<V>) -> Strains<S> {
+    pub(in crate::shells) fn strains(&self, u: &Vectors<V>) -> Strains<S> {
         let profile = &self.profile;
         Strains::from_fn(|k, _| {
             let moved = gradient(&self.tables.forms[k], u);
@@ -81,11 +98,13 @@ impl<const V: usize, const S: usize, const C: usize> ShearElement<V, S, C> {
         })
     }
 
-    fn stress(&self, strains: &Strains<S>) -> Strains<S> {
+    /// Computes the stresses of strains.
+    pub(in crate::shells) fn stress(&self, strains: &Strains<S>) -> Strains<S> {
         *self.profile.stiffness * strains
     }
 
-    fn state(&self, q: &[f64]) -> ShearState<S, C> {
+    /// Evaluates the strains and their gradients.
+    pub(in crate::shells) fn state(&self, q: &[f64]) -> ShearState<S, C> {
         let u = vectors(q);
         let (mut strains, mut gradients) = (Strains::zeros(), SMatrix::zeros());
         for k in 0..S {
@@ -124,7 +143,7 @@ impl<const V: usize, const S: usize, const C: usize> ShearElement<V, S, C> {
     /// Adds forces of stresses, inertia, mass-proportional damping and weight.
     fn add_forces(&self, state: &ShearState<S, C>, stress: &Strains<S>, at: &Local<'_>, r: &mut [f64]) {
         let profile = &self.profile;
-        let forces = state.gradients.transpose() * stress;
+        let forces = state.forces(stress);
         let mut moved = vectors::<V>(at.a);
         let damping = profile.medium.mass_damping;
         if damping != 0.0 {
@@ -139,7 +158,7 @@ impl<const V: usize, const S: usize, const C: usize> ShearElement<V, S, C> {
     }
 
     /// Adds `material` times the material stiffness and the stiffness of stresses.
-    fn add_stiffness(
+    pub(in crate::shells) fn add_stiffness(
         &self,
         state: &ShearState<S, C>,
         material: f64,
@@ -208,7 +227,10 @@ impl<const V: usize, const S: usize, const C: usize> ShearElement<V, S, C> {
 }
 
 /// Computes the rates of the strains for rates of the coordinates.
-fn rates<const S: usize, const C: usize>(state: &ShearState<S, C>, v: &[f64]) -> Strains<S> {
+pub(in crate::shells) fn rates<const S: usize, const C: usize>(
+    state: &ShearState<S, C>,
+    v: &[f64],
+) -> Strains<S> {
     state.gradients * SMatrix::<f64, C, 1>::from_column_slice(v)
 }
 

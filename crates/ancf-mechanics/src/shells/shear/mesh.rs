@@ -14,6 +14,7 @@ use crate::inertia::MassVisitor;
 use crate::kinematics::{
     Attachment, Directions, Marker, NodalVector, SectionFrame, VectorKind, gauss2, round_to_zero,
 };
+use crate::shells::prestrain::{SurfacePrestrain, SurfacePrestrains};
 
 /// Place on a mesh: an element and (ξ, η) in it, from 0 to 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,6 +39,7 @@ pub struct ShearShellMesh {
     neighbours: Arc<Vec<Vec<usize>>>,
     elements: Arc<Vec<AnyElement>>,
     axis: Vector3<f64>,
+    prestrains: SurfacePrestrains,
 }
 
 impl ShearShellMesh {
@@ -64,7 +66,19 @@ impl ShearShellMesh {
         let topology = MeshTopology::new(nodes.len(), &faces);
         let neighbours = Arc::new(topology.neighbours(nodes.len()));
         let (topology, faces) = (Arc::new(topology), Arc::new(faces));
-        Self { first, origin, reference, faces, topology, neighbours, elements, axis: medium.axis }
+        let (axis, prestrains) = (medium.axis, SurfacePrestrains::default());
+        Self { first, origin, reference, faces, topology, neighbours, elements, axis, prestrains }
+    }
+
+    /// Prescribes strains.
+    #[must_use]
+    pub fn with_prestrains(self, sources: Vec<SurfacePrestrain>) -> Self {
+        let of = |element: usize, here| self.elements[element].prestrained(here);
+        Self { prestrains: SurfacePrestrains::new(sources, self.elements.len(), of), ..self }
+    }
+
+    pub(crate) fn prestrains(&self) -> &SurfacePrestrains {
+        &self.prestrains
     }
 
     /// Returns the number of coordinates.
@@ -91,9 +105,9 @@ impl ShearShellMesh {
         &self.elements
     }
 
-    /// Returns the elements as terms.
+    /// Returns the elements, then their prescribed strains as terms.
     pub fn terms(&self) -> Vec<Box<dyn Term>> {
-        self.elements.iter().map(AnyElement::term).collect()
+        self.elements.iter().map(AnyElement::term).chain(self.prestrains.copied()).collect()
     }
 
     /// Returns the elements at a node.
@@ -318,6 +332,8 @@ impl ShearShellMesh {
     /// Returns the strain energy.
     pub fn strain_energy(&self, s: &State) -> f64 {
         let of = |(k, element): (usize, &AnyElement)| element.data().strain_energy(&self.displacements(s, k));
-        self.elements.iter().enumerate().map(of).sum()
+        let own: f64 = self.elements.iter().enumerate().map(of).sum();
+        let flat = |k: usize| self.displacements(s, k).iter().flatten().copied().collect();
+        own + self.prestrains.strain_energy(s, flat)
     }
 }

@@ -231,25 +231,55 @@ impl<const V: usize, const S: usize> ShearProfile<V, S> {
         (strains, stress): (&Strains<S>, &Strains<S>),
         bound: &mut Weighting<V>,
     ) {
-        // Roundings in a sum of V products, relative to the sum of their magnitudes.
-        let sum = 0.5 * V as f64 * f64::EPSILON;
-        let time = self.medium.retardation;
-        let mut gradients = [[0.0; V]; S];
+        let (sum, time) = (Self::SUM, self.medium.retardation);
         let mut errors = [0.0; S];
         for (k, form) in tables.forms.iter().enumerate() {
             for a in 0..V {
-                let moved: f64 = form[a].iter().zip(q).map(|(w, q)| w.abs() * q).sum();
-                gradients[k][a] = self.gradients[k][a].norm() + moved;
-                errors[k] += sum * gradients[k][a] * (q[a] + time * v[a]);
+                errors[k] += sum * self.gradient_size(k, a, form, q) * (q[a] + time * v[a]);
             }
         }
-        for k in 0..S {
+        let mut of_stress = [0.0; S];
+        for (k, error) in of_stress.iter_mut().enumerate() {
             let row = self.stiffness.row(k);
-            let error: f64 =
+            *error =
                 row.iter().enumerate().map(|(l, c)| c.abs() * (errors[l] + sum * strains[l].abs())).sum();
-            for (bound, gradient) in bound.iter_mut().zip(&gradients[k]) {
-                *bound += (error + sum * stress[k].abs()) * gradient;
+        }
+        self.distribute_rounding(tables, q, (&of_stress, stress), bound);
+    }
+
+    /// Adds bounds of the rounding errors of the forces of constant stresses.
+    pub(crate) fn add_stress_rounding(
+        &self,
+        tables: &ShearTables<V, S>,
+        q: &Weighting<V>,
+        stress: &Strains<S>,
+        bound: &mut Weighting<V>,
+    ) {
+        self.distribute_rounding(tables, q, (&[0.0; S], stress), bound);
+    }
+
+    /// Adds bounds of the rounding errors of the forces of stresses with errors.
+    fn distribute_rounding(
+        &self,
+        tables: &ShearTables<V, S>,
+        q: &Weighting<V>,
+        (errors, stress): (&[f64; S], &Strains<S>),
+        bound: &mut Weighting<V>,
+    ) {
+        for (k, form) in tables.forms.iter().enumerate() {
+            let error = errors[k] + Self::SUM * stress[k].abs();
+            for a in 0..V {
+                bound[a] += error * self.gradient_size(k, a, form, q);
             }
         }
+    }
+
+    /// Roundings in a sum of V products, relative to the sum of their magnitudes.
+    const SUM: f64 = 0.5 * V as f64 * f64::EPSILON;
+
+    /// Bound of the gradient of a strain by a nodal vector, for displacements of the given magnitudes.
+    fn gradient_size(&self, strain: usize, a: usize, form: &Form<V>, q: &Weighting<V>) -> f64 {
+        let moved: f64 = form[a].iter().zip(q).map(|(w, q)| w.abs() * q).sum();
+        self.gradients[strain][a].norm() + moved
     }
 }

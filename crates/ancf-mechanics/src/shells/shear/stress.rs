@@ -7,6 +7,7 @@ use super::face::{NODES, Shape};
 use super::forms::SURFACE;
 use super::mesh::{ShearShellMesh, SurfacePlace};
 use crate::shells::laminates::to_orthonormal;
+use crate::shells::prestrain::{Factors, SurfaceLaw};
 use crate::shells::surface_stress::SurfaceStress;
 
 /// Membrane strains and curvatures of the surface, in an orthonormal frame.
@@ -20,6 +21,7 @@ type NodalStrains = [SurfaceStrains; NODES];
 pub struct ShearStressField<'a> {
     mesh: &'a ShearShellMesh,
     elements: Vec<NodalStrains>,
+    factors: Factors,
 }
 
 /// Computes the strains at the integration points, and extrapolates them to the nodes.
@@ -53,12 +55,12 @@ impl<'a> ShearStressField<'a> {
     /// Evaluates the strains of all elements in a state.
     pub fn new(mesh: &'a ShearShellMesh, s: &State) -> Self {
         let elements = (0..mesh.elements().len()).map(|k| strains(mesh, s, k)).collect();
-        Self { mesh, elements }
+        Self { mesh, elements, factors: mesh.prestrains().factors(s) }
     }
 
     /// Returns the stresses at a place, as [`ShearShellMesh::stress`].
     pub fn at(&self, place: SurfacePlace) -> SurfaceStress {
-        self.mesh.mean_stress(place, |element| self.elements[element])
+        self.mesh.mean_stress(place, &self.factors, |element| self.elements[element])
     }
 }
 
@@ -68,26 +70,50 @@ impl ShearShellMesh {
     /// Strains are extrapolated from the integration points. At a node they are the means of the elements there, in the
     /// orthonormal frame whose first direction is the projection of the axis of the section.
     pub fn stress(&self, s: &State, place: SurfacePlace) -> SurfaceStress {
-        self.mean_stress(place, |element| strains(self, s, element))
+        let factors = self.prestrains().factors(s);
+        self.mean_stress(place, &factors, |element| strains(self, s, element))
     }
 
-    fn mean_stress(&self, place: SurfacePlace, of: impl Fn(usize) -> NodalStrains) -> SurfaceStress {
-        let [mut membrane, mut bending] = [Vector3::zeros(); 2];
-        let mut add = |element: usize, at: [f64; 2], share: f64| {
-            let [own, curvature] = weighted(&self.faces()[element].weights(at), &of(element));
-            membrane += own * share;
-            bending += curvature * share;
+    fn mean_stress(
+        &self,
+        place: SurfacePlace,
+        factors: &Factors,
+        of: impl Fn(usize) -> NodalStrains,
+    ) -> SurfaceStress {
+        let mut sums = [[Vector3::zeros(); 2]; 2];
+        let mut add = |place: SurfacePlace, share: f64| {
+            let own = weighted(&self.faces()[place.element].weights(place.at), &of(place.element));
+            for (sum, own) in sums.iter_mut().zip([own, self.prescribed_strains(place, factors)]) {
+                sum.iter_mut().zip(own).for_each(|(sum, own)| *sum += own * share);
+            }
         };
         match self.node_at(place) {
             Some(node) => {
                 let own = self.at_node(node);
                 let share = 1.0 / own.len() as f64;
-                let at = |element: usize| self.faces()[element].place_of(node).unwrap_or_default();
-                own.iter().for_each(|&element| add(element, at(element), share));
+                for &element in own {
+                    let at = self.faces()[element].place_of(node).unwrap_or_default();
+                    add(SurfacePlace { element, at }, share);
+                }
             }
-            None => add(place.element, place.at, 1.0),
+            None => add(place, 1.0),
         }
         let section = &self.elements()[place.element].data().medium().section.surface;
-        SurfaceStress::new(section, [1.0, 0.0], membrane, bending)
+        let [total, prescribed] = sums;
+        SurfaceStress::new(section, [1.0, 0.0], total, prescribed)
+    }
+
+    /// Returns the prescribed strains at a place, in the orthonormal frame of the section.
+    fn prescribed_strains(&self, place: SurfacePlace, factors: &Factors) -> SurfaceStrains {
+        if factors.is_empty() {
+            return [Vector3::zeros(); 2];
+        }
+        let data = self.elements()[place.element].data();
+        let ([t, s], axis) = (data.tangents(place.at), data.medium().axis);
+        let section = &data.medium().section.surface;
+        let law = SurfaceLaw { section, axis: Some(axis), stress_axis: Some(axis) };
+        let covariant = self.prestrains().at(place.element, &law, [&t, &s], factors);
+        let to_local = to_orthonormal([&t, &s], &axis);
+        covariant.map(|strain| to_local * strain)
     }
 }

@@ -1,15 +1,13 @@
 //! Checks of orthotropic materials and of the layers of shells.
 
-use nalgebra::Vector3;
-
 use crate::errors::{Finding, finding, is_direction, no_direction, number, quoted};
-use crate::model::{IndexedModel, Layup, Material, MaterialLaw, Orthotropic, Shell, bodies_of};
+use crate::model::{
+    IndexedModel, Layup, Material, MaterialLaw, NOWHERE_NORMAL, Orthotropic, Shell, bodies_of,
+};
 use crate::schema::unknown;
 
 /// Largest difference of the sum of the thicknesses of layers from that of the shell, relative to it.
 const SUM: f64 = 1e-9;
-/// Sine of the angle between `fibre_axis` and the normal below which the projection has no direction.
-const NORMAL: f64 = 1e-3;
 
 /// Checks that orthotropic materials have a positive strain energy, and that only shells have them.
 pub(super) fn materials(model: &IndexedModel<'_>) -> Vec<Finding> {
@@ -100,21 +98,12 @@ fn rule_of_thicknesses(path: &str, shell: Layup<'_>) -> Option<Finding> {
 
 /// Checks that the axis has a projection on the surface everywhere.
 pub(super) fn rule_of_axis(path: &str, shell: &Shell) -> Option<Finding> {
-    const PARTS: usize = 16;
     let axis = shell.fibre_axis?;
     let key = format!("{path}.fibre_axis");
     if !is_direction(axis) {
         return Some(no_direction(key, axis));
     }
-    let axis = Vector3::from(axis).normalize();
-    let places = (0..=PARTS).flat_map(|i| (0..=PARTS).map(move |j| [i, j].map(|k| k as f64 / PARTS as f64)));
-    let is_normal = |at: &[f64; 2]| {
-        let [_, a, b, _] = shell.map(*at);
-        a.cross(&b).normalize().cross(&axis).norm() < NORMAL
-    };
-    places.into_iter().find(is_normal).map(|[u, v]| {
-        let found = format!("the normal of the surface at [u, v] = [{}, {}]", number(u), number(v));
-        finding(key, found, "an axis that is nowhere normal to the surface")
-            .rests_on([format!("{path}.surface")])
-    })
+    shell
+        .normal_along(axis)
+        .map(|found| finding(key, found, NOWHERE_NORMAL).rests_on([format!("{path}.surface")]))
 }

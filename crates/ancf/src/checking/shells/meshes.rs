@@ -1,13 +1,10 @@
 //! Checks of the meshes of shear-deformable shells.
 
 use ancf_mechanics::shells::TopologyDefect;
-use nalgebra::Vector3;
 
 use crate::errors::{Finding, finding, is_direction, no_direction, number, quoted};
-use crate::model::{IndexedModel, MeshGroup, ShearShell};
+use crate::model::{IndexedModel, MeshGroup, NOWHERE_NORMAL, ShearShell};
 
-/// Sine of the angle between `fibre_axis` and a director below which the projection has no direction.
-const NORMAL: f64 = 1e-3;
 /// Cosine of the angle between a given director and the normal of an element at its node below which the director is rejected.
 const TILTED: f64 = 0.7;
 
@@ -56,11 +53,6 @@ fn rule_of_source(path: &str, shell: &ShearShell) -> Option<Finding> {
 }
 
 /// Point of a node in a message.
-fn place(shell: &ShearShell, node: usize) -> String {
-    let [x, y, z] = shell.mesh.nodes[node].map(number);
-    format!("node {node} at ({x}, {y}, {z})")
-}
-
 fn defect_finding(path: &str, shell: &ShearShell, defect: TopologyDefect) -> Finding {
     let of_element = |k: usize| format!("{path}.mesh.elements[{k}]");
     match defect {
@@ -74,7 +66,7 @@ fn defect_finding(path: &str, shell: &ShearShell, defect: TopologyDefect) -> Fin
             finding(of_element(element), format!("node {node} a second time"), expected)
         }
         TopologyDefect::Degenerate { element, node } => {
-            let found = format!("a collapsed or not convex corner at {}", place(shell, node));
+            let found = format!("a collapsed or not convex corner at {}", shell.describe_node(node));
             let expected =
                 "a convex element, with its nodes in order around it and angles between 3 and 177 degrees";
             finding(of_element(element), found, expected).rests_on([format!("{path}.mesh.nodes")])
@@ -82,8 +74,8 @@ fn defect_finding(path: &str, shell: &ShearShell, defect: TopologyDefect) -> Fin
         TopologyDefect::Branch { nodes: [a, b], elements: [i, j, k] } => {
             let found = format!(
                 "a third element at the edge from {} to {}, of elements {i} and {j}",
-                place(shell, a),
-                place(shell, b)
+                shell.describe_node(a),
+                shell.describe_node(b)
             );
             finding(of_element(k), found, "at most two elements at an edge: branches are not supported")
         }
@@ -110,18 +102,20 @@ fn defect_finding(path: &str, shell: &ShearShell, defect: TopologyDefect) -> Fin
 /// Finding for a defect of a node.
 fn node_finding(path: &str, shell: &ShearShell, defect: TopologyDefect) -> Finding {
     let [found, expected] = match defect {
-        TopologyDefect::Unused { node } => {
-            [format!("{}, which no element has", place(shell, node)), "nodes of elements only".to_owned()]
-        }
+        TopologyDefect::Unused { node } => [
+            format!("{}, which no element has", shell.describe_node(node)),
+            "nodes of elements only".to_owned(),
+        ],
         TopologyDefect::Contact { node } => [
-            format!("{}, at which parts of the mesh meet without a common edge", place(shell, node)),
+            format!("{}, at which parts of the mesh meet without a common edge", shell.describe_node(node)),
             "elements that are connected by edges".to_owned(),
         ],
-        TopologyDefect::Coincident { nodes: [a, b] } => {
-            [format!("{}, the point of node {a}", place(shell, b)), "one node at each point".to_owned()]
-        }
+        TopologyDefect::Coincident { nodes: [a, b] } => [
+            format!("{}, the point of node {a}", shell.describe_node(b)),
+            "one node at each point".to_owned(),
+        ],
         TopologyDefect::Valence { node } => [
-            format!("{} with more than 12 edges", place(shell, node)),
+            format!("{} with more than 12 edges", shell.describe_node(node)),
             "at most 12 edges at a node".to_owned(),
         ],
         _ => [String::new(), "a mesh without defects".to_owned()],
@@ -202,7 +196,7 @@ fn rule_of_directors(path: &str, shell: &ShearShell) -> Option<Finding> {
         for (&node, normal) in face.nodes().iter().zip(face.corner_normals(&points)) {
             if normal.dot(&directors[node]) < TILTED {
                 let found =
-                    format!("a direction far from the normal of an element at {}", place(shell, node));
+                    format!("a direction far from the normal of an element at {}", shell.describe_node(node));
                 let expected = "directions within 45 degrees of the normals, on the side from which elements are counter-clockwise";
                 return Some(finding(format!("{path}.mesh.directors[{node}]"), found, expected));
             }
@@ -225,15 +219,9 @@ fn rule_of_axis(model: &IndexedModel<'_>, path: &str, shell: &ShearShell) -> Opt
     if !is_direction(axis) {
         return Some(no_direction(key, axis));
     }
-    let axis = Vector3::from(axis).normalize();
-    let (points, directors) = (shell.points(), shell.unit_directors());
-    let normals = shell.faces().into_iter().map(|face| (face.nodes()[0], face.normal(&points)));
-    let mut all = directors.iter().copied().enumerate().chain(normals);
-    all.find(|(_, normal)| normal.cross(&axis).norm() < NORMAL).map(|(node, _)| {
-        let found = format!("the normal of the surface near {}", place(shell, node));
-        finding(key, found, "an axis that is nowhere normal to the surface")
-            .rests_on([format!("{path}.mesh.nodes")])
-    })
+    shell
+        .normal_along(axis)
+        .map(|found| finding(key, found, NOWHERE_NORMAL).rests_on([format!("{path}.mesh.nodes")]))
 }
 
 /// Checks that orthotropic materials have a transverse shear modulus.

@@ -7,8 +7,8 @@ use crate::errors::{Finding, finding, number, quoted};
 use crate::joints::{ClampedGradients, End, Joint};
 use crate::loads::Load;
 use crate::model::{
-    At, Body, IndexedModel, Layup, Place, Shell, ShellSurface, joints_of, loads_of, shear_shells_of,
-    shells_of,
+    At, Body, IndexedModel, Layup, Place, Shell, ShellSurface, SurfaceGeometry, joints_of, loads_of,
+    shear_shells_of, shells_of,
 };
 
 /// Largest angle of an element of a surface of revolution. Beyond it, the interpolated surface differs from it by more than 0.1 %.
@@ -60,14 +60,18 @@ fn rule_of_material(model: &IndexedModel<'_>, path: &str, shell: Layup<'_>) -> O
 
 /// Checks that the surface is regular, and that its elements are not too large for its curvature.
 fn rule_of_surface(path: &str, shell: &Shell) -> Option<Finding> {
+    if let Some(error) = rule_of_points(path, shell) {
+        return Some(error);
+    }
     let [n, m] = shell.elements.map(|count| count.min(64) as usize);
     let places = (0..=2 * n)
         .flat_map(|i| (0..=2 * m).map(move |j| [i as f64 / (2 * n) as f64, j as f64 / (2 * m) as f64]));
     let places: Vec<[f64; 2]> = places.collect();
-    let lengths = |k: usize| places.iter().map(|at| shell.map(*at)[k].norm()).fold(0.0, f64::max);
+    let geometry = shell.geometry();
+    let lengths = |k: usize| places.iter().map(|at| geometry.map(*at)[k].norm()).fold(0.0, f64::max);
     let largest = [lengths(1), lengths(2)];
     let is_regular = |at: &[f64; 2]| {
-        let [_, a, b, _] = shell.map(*at);
+        let [_, a, b, _] = geometry.map(*at);
         let sine = a.cross(&b).norm() / (a.norm() * b.norm());
         sine > DEGENERATE && a.norm() > DEGENERATE * largest[0] && b.norm() > DEGENERATE * largest[1]
     };
@@ -103,6 +107,7 @@ fn rule_of_surface(path: &str, shell: &Shell) -> Option<Finding> {
         ShellSurface::Revolved { angle, .. } => [*angle, 0.0],
         ShellSurface::Sphere { angle, latitudes, .. } => [*angle, latitudes[1] - latitudes[0]],
         ShellSurface::Twisted { twist, .. } => [*twist, 0.0],
+        ShellSurface::Lofted { .. } | ShellSurface::Swept { .. } => turns(shell, &geometry),
     };
     (0..2).find_map(|k| {
         let least = (angles[k].abs() / LARGEST_ANGLE).ceil();
@@ -112,6 +117,35 @@ fn rule_of_surface(path: &str, shell: &Shell) -> Option<Finding> {
             finding(format!("{path}.elements[{k}]"), number(f64::from(shell.elements[k])), expected)
                 .rests_on([format!("{path}.surface")])
         })
+    })
+}
+
+/// Checks that all curves of a surface have the same number of points.
+fn rule_of_points(path: &str, shell: &Shell) -> Option<Finding> {
+    let ShellSurface::Lofted { sections } = &shell.surface else { return None };
+    let count = sections.first()?.len();
+    let k = sections.iter().position(|section| section.len() != count)?;
+    let found = format!("{} points", sections[k].len());
+    let expected = format!("{count} points, as in the first curve");
+    Some(finding(format!("{path}.surface.sections[{k}]"), found, expected))
+}
+
+/// Angles by which the lines along u and v turn, for the largest turn of an element.
+fn turns(shell: &Shell, geometry: &SurfaceGeometry<'_>) -> [f64; 2] {
+    /// Parts of an element.
+    const PARTS: u32 = 4;
+    [0, 1].map(|k| {
+        let [own, other] = [shell.elements[k], shell.elements[1 - k]].map(|count| count.min(64));
+        let tangent = |i: u32, j: u32| {
+            let [along, across] =
+                [f64::from(i) / f64::from(own * PARTS), f64::from(j) / f64::from(2 * other)];
+            geometry.map(if k == 0 { [along, across] } else { [across, along] })[k + 1]
+        };
+        let of_element = |element: u32, j: u32| -> f64 {
+            (element * PARTS..(element + 1) * PARTS).map(|i| tangent(i, j).angle(&tangent(i + 1, j))).sum()
+        };
+        let elements = (0..own).flat_map(|element| (0..=2 * other).map(move |j| (element, j)));
+        f64::from(own) * elements.map(|(element, j)| of_element(element, j)).fold(0.0, f64::max)
     })
 }
 

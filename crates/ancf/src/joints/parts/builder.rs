@@ -93,6 +93,11 @@ impl<'a> JointBuilder<'a> {
         self.ends.other_shell
     }
 
+    /// Mesh and data of the second body, if it is a shear-deformable shell.
+    pub(crate) fn other_shear_shell(&self) -> Option<(&'a ShearShellMesh, &'a ShearShell)> {
+        self.ends.other_shear_shell
+    }
+
     /// Adds a linear equation of nodal vectors of the first body and of others, unless the equations of edges that share its nodes
     /// imply it.
     pub(crate) fn add_linear(

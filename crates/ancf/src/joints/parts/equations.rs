@@ -31,6 +31,8 @@ pub(crate) struct JointEnds<'a> {
     pub(crate) shear_shell: Option<(&'a ShearShellMesh, &'a ShearShell)>,
     /// Mesh of the second body, if it is a thin shell.
     pub(crate) other_shell: Option<&'a ShellMesh>,
+    /// Mesh and data of the second body, if it is a shear-deformable shell.
+    pub(crate) other_shear_shell: Option<(&'a ShearShellMesh, &'a ShearShell)>,
     /// Linear equations of the edges of shells so far.
     pub(crate) edge_rows: &'a RefCell<LinearRows>,
     /// Default of [`ClampedGradients`](super::ClampedGradients): true for a beam of the continuum formulation on the ground, on a rigid body, or on another

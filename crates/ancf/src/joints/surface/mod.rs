@@ -3,6 +3,7 @@
 mod condition;
 mod edge_equations;
 mod mesh_equations;
+mod mesh_seam;
 mod seam;
 mod seam_equations;
 mod support;

@@ -3,6 +3,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::condition::SeamCondition;
+use super::mesh_seam;
 use super::seam_equations::add_equations;
 use crate::errors::{Finding, finding, number, quoted};
 use crate::joints::parts::{End, JointBuilder, JointContext, JointKind};
@@ -14,7 +15,9 @@ const APART: f64 = 1e-6;
 
 /// Seam of two edges of shells, or of two edges of one shell such as a closed cylinder.
 ///
-/// Both edges have the same points and the same number of elements.
+/// Both edges have the same points and the same number of elements. Both shells are thin, or both are shear-deformable.
+///
+/// Several seams may join an edge, such as those of a rib.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(deny_unknown_fields)]
 pub struct Seam {
@@ -50,12 +53,12 @@ fn divisions(shell: &Shell, edge: &EdgeName) -> u32 {
 
 /// Points and tangents of an edge at its nodes, the tangents per element.
 fn nodes(shell: &Shell, edge: &EdgeName) -> Vec<[Vector3<f64>; 2]> {
-    let (count, edge) = (divisions(shell, edge), edge.edge());
+    let (count, edge, geometry) = (divisions(shell, edge), edge.edge(), shell.geometry());
     let fixed = if edge.at_end { 1.0 } else { 0.0 };
     let node = |k: u32| {
         let t = f64::from(k) / f64::from(count);
-        let [r, of_u, of_v, _] = shell.map(if edge.along_v { [fixed, t] } else { [t, fixed] });
-        [shell.origin() + r, if edge.along_v { of_v } else { of_u } / f64::from(count)]
+        let [r, of_u, of_v, _] = geometry.map(if edge.along_v { [fixed, t] } else { [t, fixed] });
+        [geometry.origin() + r, if edge.along_v { of_v } else { of_u } / f64::from(count)]
     };
     (0..=count).map(node).collect()
 }
@@ -96,6 +99,9 @@ impl JointKind for Seam {
 
     fn build(&self, builder: &mut JointBuilder<'_>) {
         let Some([(_, a), (_, b)]) = self.edges() else { return };
+        if builder.shear_shell().is_some() {
+            return mesh_seam::add_equations(builder, [a, b], self.condition);
+        }
         add_equations(builder, [a.edge(), b.edge()], self.condition);
     }
 
@@ -104,47 +110,63 @@ impl JointKind for Seam {
             let expected = "edges of shells at both ends, such as { edge = \"u_start\" }";
             return vec![finding(path.to_owned(), "a seam without two edges", expected)];
         };
-        let shell_of = |place: &Place| match context.body(place) {
-            Some(Body::Shell(shell)) => Some(shell.clone()),
-            _ => None,
-        };
         let mut findings = Vec::new();
         for (end, (place, _)) in ["a", "b"].into_iter().zip(edges) {
             if place.offset != [0.0; 3] {
                 findings.push(finding(format!("{path}.{end}.offset"), "an arm", "no arm: edges are joined"));
             }
             if let Some(body) = context.body(place)
-                && !matches!(body, Body::Shell(_))
+                && !body.is_shell()
             {
-                let is_mesh = matches!(body, Body::ShearShell(_));
-                let [what, expected] = match is_mesh {
-                    true => ["a shear-deformable shell", "a thin shell: parts of one mesh share their nodes"],
-                    false => ["which is no shell", "a shell"],
-                };
-                let found = format!("{}, {what}", quoted(body.name()));
-                findings
-                    .push(finding(format!("{path}.{end}.body"), found, expected).rests_on(["bodies".into()]));
+                let found = format!("{}, which is no shell", quoted(body.name()));
+                findings.push(
+                    finding(format!("{path}.{end}.body"), found, "a shell").rests_on(["bodies".into()]),
+                );
             }
         }
         let [(a, edge), (b, other)] = edges;
-        let (Some(first), Some(second)) = (shell_of(a), shell_of(b)) else { return findings };
-        if a.body == b.body && edge == other {
+        let (Some(first), Some(second)) = (context.body(a), context.body(b)) else { return findings };
+        if first.is_shell() && a.body == b.body && edge == other {
             findings.push(finding(format!("{path}.b.at"), "the same edge", "another edge"));
             return findings;
         }
-        let [n, m] = [divisions(&first, edge), divisions(&second, other)];
-        if n != m {
-            let found = format!("edges of {n} and {m} elements");
-            let expected = "edges with the same number of elements";
-            findings.push(finding(path.to_owned(), found, expected).rests_on(["bodies".into()]));
-            return findings;
-        }
-        let apart = difference([(&first, edge), (&second, other)]);
-        if apart.partial_cmp(&APART).is_none_or(std::cmp::Ordering::is_gt) {
-            let found = format!("edges whose nodes or tangents differ by {} of an element", number(apart));
-            let expected = "edges with the same nodes and the same curve between them";
-            findings.push(finding(path.to_owned(), found, expected).rests_on(["bodies".into()]));
+        match (first, second) {
+            (Body::Shell(first), Body::Shell(second)) => {
+                findings.extend(check_thin(path, [(first, edge), (second, other)]));
+            }
+            (Body::ShearShell(first), Body::ShearShell(second)) => {
+                let exist = first.edge(edge).is_some() && second.edge(other).is_some();
+                if exist && first.defect().is_none() && second.defect().is_none() {
+                    let edges = [(first, edge), (second, other)];
+                    findings.extend(mesh_seam::check(path, edges, self.condition));
+                }
+            }
+            (Body::Shell(_), Body::ShearShell(_)) | (Body::ShearShell(_), Body::Shell(_)) => {
+                let expected = "two thin or two shear-deformable shells";
+                let error = finding(path.to_owned(), "edges of shells of both kinds", expected);
+                findings.push(error.rests_on(["bodies".into()]));
+            }
+            _ => {}
         }
         findings
     }
+}
+
+/// Finding for edges of thin shells with different nodes.
+fn check_thin(path: &str, [(first, edge), (second, other)]: [(&Shell, &EdgeName); 2]) -> Option<Finding> {
+    if [edge, other].into_iter().any(|edge| matches!(edge, EdgeName::Named(_))) {
+        return None;
+    }
+    let [n, m] = [divisions(first, edge), divisions(second, other)];
+    if n != m {
+        let found = format!("edges of {n} and {m} elements");
+        let expected = "edges with the same number of elements";
+        return Some(finding(path.to_owned(), found, expected).rests_on(["bodies".into()]));
+    }
+    let apart = difference([(first, edge), (second, other)]);
+    apart.partial_cmp(&APART).is_none_or(std::cmp::Ordering::is_gt).then(|| {
+        let found = format!("edges whose nodes or tangents differ by {} of an element", number(apart));
+        let expected = "edges with the same nodes and the same curve between them";
+        finding(path.to_owned(), found, expected).rests_on(["bodies".into()])
+    })
 }

@@ -5,9 +5,11 @@ mod edge_moment;
 mod surface_fluid;
 mod surface_force;
 mod surface_pressure;
+mod surface_prestrain;
 
 pub use edge_force::EdgeForce;
 pub use edge_moment::EdgeMoment;
 pub use surface_fluid::SurfaceFluid;
 pub use surface_force::SurfaceForce;
 pub use surface_pressure::SurfacePressure;
+pub use surface_prestrain::SurfacePrestrain;

@@ -19,6 +19,9 @@ pub use formulation::Formulation;
 pub use parts::{At, EdgeName, EdgePlace, InitialMotion, NamedPosition, NodePlace, Place, PointPlace};
 pub use rigid::{PointMass, Rigid};
 pub use shape::Shape;
-pub(crate) use shell_body::{edge_of_shell, named, region_of_shell, shell_body};
+pub(crate) use shell_body::{
+    NOWHERE_NORMAL, axis_on_shell, edge_of_shell, named, region_of_shell, shell_body,
+};
+pub(crate) use shells::SurfaceGeometry;
 pub use shells::{ElementMesh, ElementNodes, Layer, Layup, MeshGroup, ShearShell, Shell, ShellSurface};
 pub use surface::BodySurface;

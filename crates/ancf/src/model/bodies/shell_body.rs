@@ -1,6 +1,6 @@
 use super::body::Body;
 use super::parts::EdgeName;
-use crate::errors::{Finding, finding, listed, quoted};
+use crate::errors::{Finding, finding, is_direction, listed, no_direction, quoted};
 
 /// Finding for a load of a shell on a body that is no shell. `body` is the body with its path.
 pub(crate) fn shell_body(path: &str, body: Option<(String, &Body)>) -> Option<Finding> {
@@ -53,4 +53,21 @@ pub(crate) fn named<'a>(what: &str, names: impl Iterator<Item = &'a str>) -> Str
         true => format!("the name of a group with {what}, but the mesh has none"),
         false => format!("the name of a group with {what}: {}", listed(names, "or")),
     }
+}
+
+/// Expected direction of an axis that is projected on a shell.
+pub(crate) const NOWHERE_NORMAL: &str = "an axis that is nowhere normal to the surface";
+
+/// Finding for an axis without a projection on a shell. `key` is the path of the axis.
+pub(crate) fn axis_on_shell(key: String, axis: [f64; 3], body: Option<(String, &Body)>) -> Option<Finding> {
+    if !is_direction(axis) {
+        return Some(no_direction(key, axis));
+    }
+    let (owner, body) = body?;
+    let found = match body {
+        Body::Shell(shell) => shell.normal_along(axis),
+        Body::ShearShell(shell) => shell.normal_along(axis),
+        _ => None,
+    };
+    Some(finding(key, found?, NOWHERE_NORMAL).rests_on([owner]))
 }

@@ -7,6 +7,7 @@ mod line_loads;
 mod moments;
 mod prestrain;
 mod shell_fluids;
+mod shell_prestrains;
 mod skew_ratios;
 mod supplied;
 mod variations;

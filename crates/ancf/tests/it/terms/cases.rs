@@ -19,6 +19,7 @@ use super::immersed::{immersed_terms, meshes};
 use super::joint_terms::joint_terms;
 use super::kind::TermKind;
 use super::shear_shells::shear_shell_terms;
+use super::shell_prestrains::shell_prestrain_terms;
 use super::shells::shell_terms;
 use super::surface_flows::surface_flow_terms;
 use crate::common::models::beams::{BY_KIND, BeamCase, beam_cases};
@@ -186,5 +187,6 @@ pub(super) fn terms() -> Vec<TermCase> {
         .chain(surface_flow_terms())
         .chain(rotating_frames())
         .chain(prestrains())
+        .chain(shell_prestrain_terms())
         .collect()
 }

@@ -11,6 +11,7 @@ mod laws;
 mod magnet;
 mod omitted;
 mod shear_shells;
+mod shell_prestrains;
 mod shells;
 mod steps;
 mod stress_prediction;

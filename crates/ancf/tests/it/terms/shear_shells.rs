@@ -73,6 +73,13 @@ fn element(corners: usize, is_laminate: bool, damping: [f64; 2]) -> Box<dyn Term
     element_of(&reference(corners), &medium(is_laminate, damping))
 }
 
+/// Mesh of one element.
+pub(super) fn mesh_of(corners: usize, is_laminate: bool, damping: [f64; 2]) -> ShearShellMesh {
+    let (points, faces) = (&nodes()[..corners], vec![face(corners)]);
+    let normals = directors(points, &faces);
+    ShearShellMesh::new(0, points, &normals, faces, &medium(is_laminate, damping))
+}
+
 /// Elements without and with coupling and damping, and their pressure.
 pub(super) fn shear_shell_terms() -> impl Iterator<Item = TermCase> {
     let cases = [
@@ -86,11 +93,8 @@ pub(super) fn shear_shell_terms() -> impl Iterator<Item = TermCase> {
             term: element(corners, is_laminate, damping),
             kind,
         });
-        let (points, faces) = (&nodes()[..corners], vec![face(corners)]);
-        let normals = directors(points, &faces);
-        let mesh = ShearShellMesh::new(0, points, &normals, faces, &medium(false, [0.0; 2]));
         // The term is renumbered to its own coordinates by the mesh: positions only.
-        let pressure = face_pressure(&mesh, 0, 1.7, &Function::ONE);
+        let pressure = face_pressure(&mesh_of(corners, false, [0.0; 2]), 0, 1.7, &Function::ONE);
         elements.chain([TermCase {
             name: format!("pressure on a {shape}"),
             term: pressure,
@@ -100,7 +104,7 @@ pub(super) fn shear_shell_terms() -> impl Iterator<Item = TermCase> {
 }
 
 /// Numbers of nodes and names of the elements.
-const SHAPES: [(usize, &str); 2] = [(4, "quadrilateral"), (3, "triangle")];
+pub(super) const SHAPES: [(usize, &str); 2] = [(4, "quadrilateral"), (3, "triangle")];
 
 /// Displacements of a rigid motion after a deformation.
 fn moved(reference: &[Vector3<f64>], deformed: &[Vector3<f64>], turn: &Rotation3<f64>) -> Vec<f64> {

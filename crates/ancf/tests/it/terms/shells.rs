@@ -40,16 +40,18 @@ pub(super) fn element(coupled: bool, damping: [f64; 2]) -> Shell48 {
     Shell48::all([((0..48).collect(), reference())], &medium(coupled, damping)).swap_remove(0)
 }
 
+/// Values of r = (u + 0.2 u v, 1.3 v, 0.3 u²) and of r_u, r_v, r_uv.
+pub(super) fn map([u, v]: [f64; 2]) -> [Vector3<f64>; 4] {
+    [
+        Vector3::new(u + 0.2 * u * v, 1.3 * v, 0.3 * u * u),
+        Vector3::new(1.0 + 0.2 * v, 0.0, 0.6 * u),
+        Vector3::new(0.2 * u, 1.3, 0.0),
+        Vector3::new(0.2, 0.0, 0.0),
+    ]
+}
+
 /// Pressure on an element and a support of two nodal vectors.
 fn pressure_and_support() -> [TermCase; 2] {
-    let map = |[u, v]: [f64; 2]| {
-        [
-            Vector3::new(u + 0.2 * u * v, 1.3 * v, 0.3 * u * u),
-            Vector3::new(1.0 + 0.2 * v, 0.0, 0.6 * u),
-            Vector3::new(0.2 * u, 1.3, 0.0),
-            Vector3::new(0.2, 0.0, 0.0),
-        ]
-    };
     let mesh = ShellMesh::new(0, [1, 1], Vector3::x(), map, &medium(false, [0.0; 2]));
     let pressure = SurfacePressure::on(&mesh, 1.7, &Function::ONE).swap_remove(0);
     let vector = |first, is_position| ConstrainedVector {

@@ -9,6 +9,8 @@ use super::element_mesh::ElementMesh;
 use super::element_nodes::ElementNodes;
 use super::layer::Layer;
 use super::layup::Layup;
+use super::normal::is_parallel;
+use crate::errors::number;
 use crate::model::bodies::parts::{At, EdgeName, EdgePlace, InitialMotion, NodePlace, PointPlace};
 use crate::units::Scaled;
 
@@ -85,6 +87,21 @@ impl ShearShell {
             return directors(&self.points(), &self.faces());
         }
         self.mesh.directors.iter().map(|director| Vector3::from(*director).normalize()).collect()
+    }
+
+    /// Description of a node and its place.
+    pub(crate) fn describe_node(&self, node: usize) -> String {
+        let [x, y, z] = self.mesh.nodes[node].map(number);
+        format!("node {node} at ({x}, {y}, {z})")
+    }
+
+    /// Description of a place at which the normal or the director has the direction of an axis.
+    pub(crate) fn normal_along(&self, axis: [f64; 3]) -> Option<String> {
+        let (points, directors) = (self.points(), self.unit_directors());
+        let normals = self.faces().into_iter().map(|face| (face.nodes()[0], face.normal(&points)));
+        let mut all = directors.iter().copied().enumerate().chain(normals);
+        let (node, _) = all.find(|(_, normal)| is_parallel(normal, &axis))?;
+        Some(format!("the normal of the surface near {}", self.describe_node(node)))
     }
 
     /// Axis whose projection on the surface is the first direction of the section.

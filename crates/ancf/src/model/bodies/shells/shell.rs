@@ -1,9 +1,12 @@
-use nalgebra::{Rotation3, Unit, Vector3};
+use nalgebra::Vector3;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::layer::Layer;
 use super::layup::Layup;
+use super::normal::is_parallel;
+use super::surface::{ShellSurface, SurfaceGeometry};
+use crate::errors::number;
 use crate::model::bodies::parts::{EdgeName, InitialMotion};
 use crate::units::Scaled;
 
@@ -42,79 +45,6 @@ pub struct Shell {
     pub motion: InitialMotion,
 }
 
-/// Middle surface of a shell as a map of (u, v). The normal is that of the directions of u and v by the right-hand rule.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
-#[serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields)]
-pub enum ShellSurface {
-    /// Rectangle or parallelogram.
-    Flat {
-        /// Corner with u = v = 0, length.
-        #[unit(length)]
-        corner: [f64; 3],
-        /// Side from the corner along u, length.
-        #[unit(length)]
-        side_u: [f64; 3],
-        /// Side from the corner along v, length.
-        #[unit(length)]
-        side_v: [f64; 3],
-    },
-    /// Line that rotates about an axis: part of a cylinder, a cone or an annulus. u is along the rotation, v along the line.
-    ///
-    /// The edges of a full turn are connected by a seam only.
-    Revolved {
-        /// Start of the line with u = v = 0, length.
-        #[unit(length)]
-        from: [f64; 3],
-        /// End of the line with u = 0, v = 1, length.
-        #[unit(length)]
-        to: [f64; 3],
-        /// Point of the axis, length.
-        #[unit(length)]
-        center: [f64; 3],
-        /// Direction of the axis. The rotation follows the right-hand rule.
-        #[unit(none)]
-        axis: [f64; 3],
-        /// Angle of the rotation, in radians.
-        #[unit(radian)]
-        angle: f64,
-    },
-    /// Part of a sphere: u is along the parallels, v along the meridians.
-    Sphere {
-        /// Centre, length.
-        #[unit(length)]
-        center: [f64; 3],
-        /// Point of the equator on the meridian u = 0, length. It determines the radius.
-        #[unit(length)]
-        equator: [f64; 3],
-        /// Direction from the centre to the pole, normal to the direction of `equator`.
-        #[unit(none)]
-        axis: [f64; 3],
-        /// Angle between the meridians u = 0 and u = 1, in radians.
-        #[unit(radian)]
-        angle: f64,
-        /// Latitudes of the parallels v = 0 and v = 1, in radians. The poles are not allowed.
-        #[unit(radian)]
-        latitudes: [f64; 2],
-    },
-    /// Strip whose width rotates about its axis.
-    ///
-    /// u is along the axis, v along the width, with the axis at v = ½.
-    Twisted {
-        /// Start of the axis, length.
-        #[unit(length)]
-        from: [f64; 3],
-        /// End of the axis, length.
-        #[unit(length)]
-        to: [f64; 3],
-        /// Width at the start, a vector normal to the axis, length.
-        #[unit(length)]
-        width: [f64; 3],
-        /// Rotation of the width from start to end, in radians.
-        #[unit(radian)]
-        twist: f64,
-    },
-}
-
 impl Shell {
     /// Thickness, material and layers.
     pub fn layup(&self) -> Layup<'_> {
@@ -126,66 +56,36 @@ impl Shell {
         self.layup().plies()
     }
 
-    /// Point of the surface that positions are relative to: r(0, 0).
-    pub(crate) fn origin(&self) -> Vector3<f64> {
-        match &self.surface {
-            ShellSurface::Flat { corner, .. } => Vector3::from(*corner),
-            ShellSurface::Revolved { center, .. } | ShellSurface::Sphere { center, .. } => {
-                Vector3::from(*center)
-            }
-            ShellSurface::Twisted { from, .. } => Vector3::from(*from),
-        }
+    /// Surface in the reference state.
+    pub(crate) fn geometry(&self) -> SurfaceGeometry<'_> {
+        self.surface.geometry()
     }
 
-    /// Values of r, ∂r/∂u, ∂r/∂v and ∂²r/∂u∂v at (u, v), r relative to the [`origin`](Self::origin).
-    ///
-    /// They are not finite if an axis has no direction.
-    pub(crate) fn map(&self, [u, v]: [f64; 2]) -> [Vector3<f64>; 4] {
-        match &self.surface {
-            ShellSurface::Flat { side_u, side_v, .. } => {
-                let [a, b] = [side_u, side_v].map(|side| Vector3::from(*side));
-                [a * u + b * v, a, b, Vector3::zeros()]
-            }
-            ShellSurface::Revolved { from, to, center, axis, angle } => {
-                let [from, to] = [from, to].map(|point| Vector3::from(*point) - Vector3::from(*center));
-                let axis = Vector3::from(*axis).normalize();
-                let (point, line) = (from + (to - from) * v, to - from);
-                let turn = rotation(&axis, angle * u);
-                let spin = axis * *angle;
-                let (r, of_v) = (turn * point, turn * line);
-                [r, spin.cross(&r), of_v, spin.cross(&of_v)]
-            }
-            ShellSurface::Sphere { center, equator, axis, angle, latitudes } => {
-                let radius = Vector3::from(*equator) - Vector3::from(*center);
-                let pole = Vector3::from(*axis).normalize() * radius.norm();
-                let rate = latitudes[1] - latitudes[0];
-                let (sin, cos) = (latitudes[0] + rate * v).sin_cos();
-                let out = rotation(&pole.normalize(), angle * u) * radius;
-                let along = pole.normalize().cross(&out) * *angle;
-                [out * cos + pole * sin, along * cos, (pole * cos - out * sin) * rate, along * (-sin * rate)]
-            }
-            ShellSurface::Twisted { from, to, width, twist } => {
-                let line = Vector3::from(*to) - Vector3::from(*from);
-                let axis = line.normalize();
-                let width = rotation(&axis, twist * u) * Vector3::from(*width);
-                let rate = axis.cross(&width) * *twist;
-                let s = v - 0.5;
-                [line * u + width * s, line + rate * s, width, rate]
-            }
-        }
+    /// Description of a place at which the normal has the direction of an axis.
+    pub(crate) fn normal_along(&self, axis: [f64; 3]) -> Option<String> {
+        const PARTS: usize = 16;
+        let places =
+            (0..=PARTS).flat_map(|i| (0..=PARTS).map(move |j| [i, j].map(|k| k as f64 / PARTS as f64)));
+        let geometry = self.geometry();
+        let is_normal = |at: &[f64; 2]| {
+            let [_, a, b, _] = geometry.map(*at);
+            is_parallel(&a.cross(&b), &axis)
+        };
+        let [u, v] = places.into_iter().find(is_normal)?.map(number);
+        Some(format!("the normal of the surface at [u, v] = [{u}, {v}]"))
     }
 
     /// Point of the surface in the reference state.
     pub fn point(&self, at: [f64; 2]) -> Vector3<f64> {
-        self.origin() + self.map(at)[0]
+        self.geometry().point(at)
     }
 
     /// Opposite corners of the box around points of the surface.
     pub(crate) fn corners(&self) -> [[f64; 3]; 2] {
         const PARTS: usize = 8;
-        let mut corners = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
+        let (geometry, mut corners) = (self.geometry(), [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]]);
         for (i, j) in (0..=PARTS).flat_map(|i| (0..=PARTS).map(move |j| (i, j))) {
-            let point = self.point([i as f64 / PARTS as f64, j as f64 / PARTS as f64]);
+            let point = geometry.point([i as f64 / PARTS as f64, j as f64 / PARTS as f64]);
             for k in 0..3 {
                 corners[0][k] = corners[0][k].min(point[k]);
                 corners[1][k] = corners[1][k].max(point[k]);
@@ -203,11 +103,11 @@ impl Shell {
     /// True if the lines across an edge meet it at right angles to one plane, in which the edge lies.
     pub(crate) fn is_plane_edge(&self, edge: &EdgeName) -> bool {
         const PARTS: usize = 8;
-        let edge = edge.edge();
+        let (geometry, edge) = (self.geometry(), edge.edge());
         let fixed = if edge.at_end { 1.0 } else { 0.0 };
         let at = |k: usize| {
             let t = k as f64 / PARTS as f64;
-            let [_, a, b, _] = self.map(if edge.along_v { [fixed, t] } else { [t, fixed] });
+            let [_, a, b, _] = geometry.map(if edge.along_v { [fixed, t] } else { [t, fixed] });
             if edge.along_v { [a.normalize(), b.normalize()] } else { [b.normalize(), a.normalize()] }
         };
         let [normal, _] = at(0);
@@ -224,18 +124,14 @@ impl Shell {
             k if k % 2 == 1 => 4.0,
             _ => 2.0,
         };
+        let geometry = self.geometry();
         let sum: f64 = (0..=PARTS)
             .flat_map(|i| (0..=PARTS).map(move |j| (i, j)))
             .map(|(i, j)| {
-                let [_, a, b, _] = self.map([i as f64 / PARTS as f64, j as f64 / PARTS as f64]);
+                let [_, a, b, _] = geometry.map([i as f64 / PARTS as f64, j as f64 / PARTS as f64]);
                 weight(i) * weight(j) * a.cross(&b).norm()
             })
             .sum();
         sum / (3 * PARTS).pow(2) as f64
     }
-}
-
-/// Rotation about a unit vector.
-fn rotation(axis: &Vector3<f64>, angle: f64) -> Rotation3<f64> {
-    Rotation3::from_axis_angle(&Unit::new_unchecked(*axis), angle)
 }

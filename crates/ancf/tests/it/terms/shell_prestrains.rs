@@ -1,0 +1,48 @@
+//! Prescribed strains of shell elements: strains, curvatures and tensions about several axes.
+
+use ancf::mechanics::functions::Function;
+use ancf::mechanics::shells::{ShellMesh, SurfacePrestrain};
+use nalgebra::Vector3;
+
+use super::cases::TermCase;
+use super::kind::TermKind;
+use super::shear_shells::{SHAPES, mesh_of};
+use super::shells::{map, medium};
+
+/// Two sources that vary in time or have an axis of their own.
+fn sources() -> Vec<SurfacePrestrain> {
+    let first = SurfacePrestrain {
+        strain: Vector3::new(0.1, -0.05, 0.08),
+        curvature: Vector3::new(0.3, -0.2, 0.4),
+        tension: Vector3::zeros(),
+        axis: None,
+        elements: None,
+        function: Function::Sine { frequency: 0.4, phase: 0.3 },
+    };
+    let second = SurfacePrestrain {
+        strain: Vector3::new(0.05, 0.1, 0.0),
+        tension: Vector3::new(0.2, 0.1, -0.1),
+        axis: Some(Vector3::new(0.3, 1.0, 0.2)),
+        function: Function::ONE,
+        ..first.clone()
+    };
+    vec![first, second]
+}
+
+/// Prescribed strains of an element of each kind, without and with coupling and damping.
+pub(super) fn shell_prestrain_terms() -> impl Iterator<Item = TermCase> {
+    let cases = [("", false, [0.0; 2]), (", laminate", true, [0.0; 2]), (", damped", true, [0.2, 0.7])];
+    cases.into_iter().flat_map(|(name, is_laminate, damping)| {
+        let case = |shape: &str, mut terms: Vec<_>| TermCase {
+            name: format!("preloaded by prestrain, {shape}{name}"),
+            term: terms.pop().expect("the term after the element"),
+            kind: TermKind::Smooth,
+        };
+        let thin = ShellMesh::new(0, [1, 1], Vector3::x(), map, &medium(is_laminate, damping));
+        let thin = case("shell", thin.with_prestrains(sources()).terms());
+        let thick = SHAPES.map(|(corners, shape)| {
+            case(shape, mesh_of(corners, is_laminate, damping).with_prestrains(sources()).terms())
+        });
+        thick.into_iter().chain([thin])
+    })
+}

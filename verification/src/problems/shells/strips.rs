@@ -26,7 +26,7 @@ pub(super) const PROBLEMS: &[Problem] = &[
         name: "shell_hook",
         title: "Raasch's hook of two cylindrical shells with a seam",
         source: "Data of Raasch, published by Knight (1997). 4.7187 by a Ritz series for the linear theory of Kirchhoff and Love: Legendre \
-                 polynomials of degree 20 × 10 in each part. With transverse shear 4.99 to 5.02: near free edges twisting needs it",
+                 polynomials of degree 20 × 10 in each part. With transverse shear 5.0382: near free edges twisting requires it",
         sketch: r"
   |/__                    radius 14 over 60 degrees, then 46 over 150 degrees
       \      .-''-.       width 20, h = 2, E = 3300, ν = 0.35

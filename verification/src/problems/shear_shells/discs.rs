@@ -11,7 +11,7 @@ pub(super) const PROBLEMS: &[Problem] = &[
     Problem {
         name: "circular_plates",
         title: "Circular plates of four-node shells under a uniform load and a force in the centre",
-        source: "Timoshenko & Woinowsky-Krieger (1959), section 16: q a⁴/(64 D) and P a²/(16 π D) for a clamped edge, times (5 + ν)/(1 + ν) \
+        source: "Timoshenko & Woinowsky-Krieger (1959), sections 16 and 19: q a⁴/(64 D) and P a²/(16 π D) for a clamped edge, times (5 + ν)/(1 + ν) \
                  and (3 + ν)/(1 + ν) for a hinged edge. The theory of Reissner and Mindlin adds q a²/(4 κ G h), κ = 5/6",
         sketch: r"
         .-''-.

@@ -3,6 +3,7 @@
 use std::f64::consts::FRAC_PI_2;
 
 use super::mesh::{MeshModel, edge, edge_load, force, isotropic, node, probe};
+use crate::problems::models::study;
 use crate::{Findings, Plot, PlotCurve, Problem, VerificationError, solve};
 
 /// Problems of this file.
@@ -15,7 +16,7 @@ pub(super) const PROBLEMS: &[Problem] = &[
        .-''''-.           R = 25, L = 50, half angle 40 degrees, h = 0.25
      .'        '.         E = 4.32e8, ν = 0, weight 90 per area
      |          |         diaphragms at both ends",
-        goal: "A quarter of the roof: deflection of the middle of the free edge within 1 % of 0.3013 with 16 × 16 elements",
+        goal: "A quarter of the roof: deflection of the middle of the free edge within 0.5 % of 0.3013 with 16 × 16 elements",
         run: roof,
     },
     Problem {
@@ -28,7 +29,8 @@ pub(super) const PROBLEMS: &[Problem] = &[
      (       )
       '--^--'
          F",
-        goal: "An eighth of the cylinder: displacement under the force within 2 % of 1.8282e-5 with 32 × 32 elements",
+        goal: "An eighth of the cylinder: displacement under the force within 1 % of 1.8282e-5 with 40 × 40 elements. With transverse shear the \
+               displacement under the force grows without limit on finer meshes",
         run: cylinder,
     },
     Problem {
@@ -39,7 +41,7 @@ pub(super) const PROBLEMS: &[Problem] = &[
         .--__--.          R = 10, h = 0.04, E = 6.825e7, ν = 0.3
        (        ) ->      forces of alternating sign at the equator
         '------'",
-        goal: "A quarter of the hemisphere: displacement under the force within 1 % with 16 × 16 elements. Nearly inextensible",
+        goal: "A quarter of the hemisphere: displacement under the force within 0.5 % with 16 × 16 elements. Nearly inextensible",
         run: hemisphere,
     },
     Problem {
@@ -51,7 +53,7 @@ pub(super) const PROBLEMS: &[Problem] = &[
        44 +--'  |       plane stress, t = 1, E = 1, ν = 1/3
           |   __+ 44    shear force of 1 on the right side
         0 +--'          left side clamped, x = 0 to 48",
-        goal: "Displacement of the middle of the loaded side within 1 % with 32 × 32 elements of distorted shape",
+        goal: "Displacement of the middle of the loaded side within 0.5 % with 32 × 32 elements of distorted shape",
         run: cook,
     },
     Problem {
@@ -72,30 +74,6 @@ pub(super) const PROBLEMS: &[Problem] = &[
 /// Small displacements: loads are divided by a thousand.
 const SMALL: f64 = 1e-3;
 
-/// Runs a model on several meshes and compares the finest one.
-fn study(
-    meshes: &[usize],
-    what: &str,
-    (exact, tolerance): (f64, f64),
-    run: impl Fn(usize) -> Result<f64, VerificationError>,
-) -> Result<Findings, VerificationError> {
-    let (mut found, mut points) = (Findings::default(), Vec::new());
-    for &n in meshes {
-        points.push([n as f64, run(n)? / exact]);
-    }
-    if let Some([n, ratio]) = points.last() {
-        found.compare(format!("{what}, {n} x {n} elements"), ratio * exact, exact, exact, tolerance);
-    }
-    let line = vec![[meshes[0] as f64, 1.0], [meshes[meshes.len() - 1] as f64, 1.0]];
-    let curves = vec![PlotCurve::line("reference", line), PlotCurve::points("computed", points)];
-    found.plot(Plot::new(
-        "Displacement, relative to the reference",
-        ["elements along an edge", "ratio"],
-        curves,
-    ));
-    Ok(found)
-}
-
 /// Point and normal of a cylinder about the y-axis at an angle from the z-axis.
 fn on_cylinder(radius: f64, angle: f64, y: f64) -> [[f64; 3]; 2] {
     let (sin, cos) = angle.sin_cos();
@@ -114,14 +92,15 @@ fn roof() -> Result<Findings, VerificationError> {
 
 /// Roof of changed grids of quadrilaterals.
 pub(super) fn roof_of(
-    meshes: &[usize],
+    meshes: &[u32],
     changed: impl Fn(MeshModel) -> MeshModel,
 ) -> Result<Findings, VerificationError> {
     let half = 40.0_f64.to_radians();
-    study(meshes, "deflection of the free edge", (0.3013, 1e-2), |n| {
-        let shell = changed(MeshModel::grid([n, n], 0.25, isotropic([4.32e8, 0.0, 1.0]), |[u, v]| {
-            on_cylinder(25.0, half * u, 25.0 * v)
-        }));
+    study(meshes, "deflection of the free edge", (0.3013, 5e-3), |n| {
+        let shell =
+            changed(MeshModel::grid([n as usize; 2], 0.25, isotropic([4.32e8, 0.0, 1.0]), |[u, v]| {
+                on_cylinder(25.0, half * u, 25.0 * v)
+            }));
         let model = format!(
             "gravity = [0, 0, {:e}]\n{shell}{}{}{}{}[analysis]\nkind = \"statics\"\n",
             -360.0 * SMALL,
@@ -136,8 +115,8 @@ pub(super) fn roof_of(
 
 fn cylinder() -> Result<Findings, VerificationError> {
     let scale = 1e3;
-    study(&[8, 16, 32], "displacement under the force", (1.8282e-5, 2e-2), |n| {
-        let shell = MeshModel::grid([n, n], 3.0, isotropic([3e6, 0.3, 1.0]), |[u, v]| {
+    study(&[10, 20, 40], "displacement under the force", (1.8282e-5, 1e-2), |n| {
+        let shell = MeshModel::grid([n as usize; 2], 3.0, isotropic([3e6, 0.3, 1.0]), |[u, v]| {
             on_cylinder(300.0, FRAC_PI_2 * u, 300.0 * v)
         });
         let model = format!(
@@ -154,8 +133,8 @@ fn cylinder() -> Result<Findings, VerificationError> {
 }
 
 fn hemisphere() -> Result<Findings, VerificationError> {
-    study(&[4, 8, 16], "displacement under the outward force", (0.0935213, 1e-2), |n| {
-        let shell = MeshModel::grid([n, n], 0.04, isotropic([6.825e7, 0.3, 1.0]), |[u, v]| {
+    study(&[4, 8, 16], "displacement under the outward force", (0.0935213, 5e-3), |n| {
+        let shell = MeshModel::grid([n as usize; 2], 0.04, isotropic([6.825e7, 0.3, 1.0]), |[u, v]| {
             on_sphere(10.0, FRAC_PI_2 * u, 72.0_f64.to_radians() * v)
         });
         let model = format!(
@@ -173,17 +152,15 @@ fn hemisphere() -> Result<Findings, VerificationError> {
 
 fn cook() -> Result<Findings, VerificationError> {
     let load = 1e-5;
-    study(&[4, 8, 16, 32], "displacement of the loaded side", (23.968, 1e-2), |n| {
-        let shell = MeshModel::grid([n, n], 1.0, isotropic([1.0, 1.0 / 3.0, 1.0]), |[u, v]| {
+    study(&[4, 8, 16, 32], "displacement of the loaded side", (23.968, 5e-3), |n| {
+        let shell = MeshModel::grid([n as usize; 2], 1.0, isotropic([1.0, 1.0 / 3.0, 1.0]), |[u, v]| {
             [[48.0 * u, 44.0 * u + v * (44.0 - 28.0 * u), 0.0], [0.0, 0.0, 1.0]]
         });
-        let middle = format!("groups.tip = {{ nodes = [{}] }}\n", (n / 2) * (n + 1) + n);
-        let shell = MeshModel { groups: shell.groups.clone() + &middle, ..shell };
         let model = format!(
             "{shell}{}{}{}[analysis]\nkind = \"statics\"\n",
             edge("u0", "\"clamped\""),
             edge_load("edge_force", "u1", "force", [0.0, load / 16.0, 0.0]),
-            probe("tip", "tip")
+            probe("tip", "end")
         );
         Ok((solve(&model)?.last("tip.y")? - 52.0) / load)
     })

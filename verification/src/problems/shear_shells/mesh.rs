@@ -16,6 +16,9 @@ pub(super) struct MeshModel {
     pub(super) material: String,
 }
 
+/// Point and normal of a surface as a function of its parameters.
+pub(super) type Map<'a> = dyn Fn([f64; 2]) -> [[f64; 3]; 2] + 'a;
+
 /// Isotropic material: Young's modulus, Poisson's ratio and density.
 pub(super) fn isotropic([young, poisson, density]: [f64; 3]) -> String {
     format!("young = {young:e}, poisson = {poisson:?}, density = {density:e}")
@@ -23,7 +26,7 @@ pub(super) fn isotropic([young, poisson, density]: [f64; 3]) -> String {
 
 impl MeshModel {
     /// Mesh of n × m elements of a map of the unit square, with the groups `u0`, `u1`, `v0` and `v1` of its edges and the points `p00`,
-    /// `p10`, `p11` and `p01` of its corners. The map returns points and normals.
+    /// `p10`, `p11` and `p01` of its corners, `middle`, and `end` in the middle of `u1`. The map returns points and normals.
     pub(super) fn grid(
         [n, m]: [usize; 2],
         thickness: f64,
@@ -46,6 +49,7 @@ impl MeshModel {
             ("p11", node(n, m)),
             ("p01", node(0, m)),
             ("middle", node(n / 2, m / 2)),
+            ("end", node(n, m / 2)),
         ];
         let mut groups = String::new();
         for (name, chain) in edges {
@@ -55,6 +59,56 @@ impl MeshModel {
             let _ = writeln!(groups, "groups.{name} = {{ nodes = [{node}] }}");
         }
         Self { nodes, elements, directors, groups, thickness, keys: String::new(), material }
+    }
+
+    /// Mesh of grids of n × n elements that share their common nodes, without groups.
+    pub(super) fn patches(n: usize, thickness: f64, material: String, maps: &[&Map]) -> Self {
+        let mut mesh = Self {
+            nodes: Vec::new(),
+            elements: Vec::new(),
+            directors: Vec::new(),
+            groups: String::new(),
+            thickness,
+            keys: String::new(),
+            material,
+        };
+        for map in maps {
+            let grid = Self::grid([n, n], thickness, String::new(), map);
+            let mut numbers = Vec::new();
+            for (&node, director) in grid.nodes.iter().zip(grid.directors) {
+                numbers.push(mesh.number(node).unwrap_or(mesh.nodes.len()));
+                if mesh.number(node).is_none() {
+                    mesh.nodes.push(node);
+                    mesh.directors.push(director);
+                }
+            }
+            let renumbered = |element: Vec<usize>| element.into_iter().map(|k| numbers[k]).collect();
+            mesh.elements.extend(grid.elements.into_iter().map(renumbered));
+        }
+        mesh
+    }
+
+    /// Number of the node at a point.
+    fn number(&self, at: [f64; 3]) -> Option<usize> {
+        self.nodes.iter().position(|node| node.iter().zip(at).all(|(a, b)| (a - b).abs() < 1e-9))
+    }
+
+    /// Adds the edge through all nodes with a coordinate along it.
+    pub(super) fn with_edge(mut self, name: &str, coordinate: impl Fn([f64; 3]) -> Option<f64>) -> Self {
+        let nodes = self.nodes.iter().enumerate();
+        let mut chain: Vec<(f64, usize)> =
+            nodes.filter_map(|(k, &node)| coordinate(node).map(|s| (s, k))).collect();
+        chain.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let chain: Vec<usize> = chain.into_iter().map(|(_, k)| k).collect();
+        self.groups += &format!("groups.{name} = {{ edges = [{chain:?}] }}\n");
+        self
+    }
+
+    /// Names the node at a point.
+    pub(super) fn with_point(mut self, name: &str, at: [f64; 3]) -> Self {
+        let nodes = Vec::from_iter(self.number(at));
+        self.groups += &format!("groups.{name} = {{ nodes = {nodes:?} }}\n");
+        self
     }
 
     /// Divides chosen quadrilaterals into two triangles.

@@ -1,13 +1,21 @@
 //! Shear-deformable shells on meshes of quadrilaterals and triangles.
 
+mod discs;
 mod large;
 mod linear;
 mod mesh;
 mod plates;
+mod strips;
 mod triangles;
 
 use crate::Problem;
 
 /// Problems of shear-deformable shells.
-pub(super) const FAMILIES: [&[Problem]; 4] =
-    [linear::PROBLEMS, plates::PROBLEMS, large::PROBLEMS, triangles::PROBLEMS];
+pub(super) const FAMILIES: [&[Problem]; 6] = [
+    linear::PROBLEMS,
+    discs::PROBLEMS,
+    strips::PROBLEMS,
+    plates::PROBLEMS,
+    large::PROBLEMS,
+    triangles::PROBLEMS,
+];

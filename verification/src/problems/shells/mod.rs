@@ -8,14 +8,18 @@ mod models;
 mod motions;
 mod plates;
 mod snap;
+mod static_plates;
+mod strips;
 
 use crate::Problem;
 
 /// Problems of plates and shells.
-pub(super) const FAMILIES: [&[Problem]; 7] = [
+pub(super) const FAMILIES: [&[Problem]; 9] = [
     bending::PROBLEMS,
     curved::PROBLEMS,
     plates::PROBLEMS,
+    static_plates::PROBLEMS,
+    strips::PROBLEMS,
     motions::PROBLEMS,
     large::PROBLEMS,
     snap::PROBLEMS,

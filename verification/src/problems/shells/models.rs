@@ -49,6 +49,11 @@ pub(super) fn edge_load(kind: &str, edge: &str, key: &str, load: [f64; 3]) -> St
     format!("[[loads]]\nkind = \"{kind}\"\nbody = \"s\"\nedge = \"{edge}\"\n{key} = {load:?}\n")
 }
 
+/// Force per area.
+pub(super) fn surface_force(force: [f64; 3]) -> String {
+    format!("[[loads]]\nkind = \"surface_force\"\nbody = \"s\"\nforce = {force:?}\n")
+}
+
 /// Probe of a point.
 pub(super) fn probe(name: &str, at: [f64; 2]) -> String {
     format!("[[probes]]\nname = \"{name}\"\non = {{ body = \"s\", at = {at:?} }}\n")

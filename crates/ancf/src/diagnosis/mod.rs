@@ -7,6 +7,7 @@ mod free_motion;
 mod locking;
 mod mechanism;
 mod plausibility;
+mod prestrained_modes;
 mod summary;
 mod thick_shells;
 mod time_resolution;

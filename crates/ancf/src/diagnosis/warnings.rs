@@ -2,6 +2,7 @@ use super::connections::Connections;
 use super::corners::corner_warnings;
 use super::locking::locking_warnings;
 use super::plausibility::unit_warnings;
+use super::prestrained_modes::prestrain_warning;
 use super::thick_shells::thickness_warnings;
 use super::time_resolution::time_warnings;
 use crate::model::Model;
@@ -14,5 +15,6 @@ pub(crate) fn model_warnings(model: &Model) -> Vec<String> {
     warnings.extend(corner_warnings(model));
     warnings.extend(thickness_warnings(model));
     warnings.extend(time_warnings(model));
+    warnings.extend(prestrain_warning(model));
     warnings
 }

@@ -51,7 +51,10 @@ fn a_loft_through_arcs_is_a_cylinder() {
             let column = series.column(&format!("p.{axis}")).unwrap();
             column[column.len() - 1]
         };
-        ["x", "y", "z"].map(|axis| (moved(&series, axis) - moved(&exact, axis)).abs()).into_iter().fold(0.0, f64::max)
+        ["x", "y", "z"]
+            .map(|axis| (moved(&series, axis) - moved(&exact, axis)).abs())
+            .into_iter()
+            .fold(0.0, f64::max)
     });
     assert!(errors[1] < 2e-4 && errors[0] / errors[1] > 6.0, "{errors:?}");
 }
@@ -59,7 +62,7 @@ fn a_loft_through_arcs_is_a_cylinder() {
 /// A line along a circle is a cylinder: its mass is 2π r l h ρ/4. A curve along a line is extruded.
 #[test]
 fn sweeps_have_the_mass_of_their_surface() {
-    let path: Vec<_> = arc(2.0, 8, 0.0);
+    let path: Vec<_> = arc(2.0, 16, 0.0);
     let swept = |profile: &str, path: &str| {
         let text = shell(&format!("kind = \"swept\", profile = {profile}, path = {path}"), [4, 8])
             + CLAMPED
@@ -100,13 +103,25 @@ fn closed_curves_are_smooth() {
 #[test]
 fn wrong_points_are_rejected() {
     for (surface, part) in [
-        ("kind = \"lofted\", sections = [[[0, 0, 0], [1, 0, 0]], [[0, 1, 0], [1, 1, 0], [2, 1, 0]]]", "2 points, as in the first curve"),
+        (
+            "kind = \"lofted\", sections = [[[0, 0, 0], [1, 0, 0]], [[0, 1, 0], [1, 1, 0], [2, 1, 0]]]",
+            "2 points, as in the first curve",
+        ),
         ("kind = \"lofted\", sections = [[[0, 0, 0], [1, 0, 0]]]", "sections"),
         ("kind = \"lofted\", sections = [[[0, 0, 0]], [[0, 1, 0]]]", "sections"),
         ("kind = \"lofted\", sections = [[[0, 0, 0], [0, 0, 0]], [[0, 1, 0], [0, 1, 0]]]", "without normal"),
-        ("kind = \"swept\", profile = [[0, 0, 0], [1, 0, 0]], path = [[0, 0, 0], [0, 0, 0]]", "without normal"),
-        ("kind = \"swept\", profile = [[0, 0, 0], [1, 0, 0]], path = [[0, 0, 0], [1, 0, 0]]", "without normal"),
-        ("kind = \"swept\", profile = [[0, 0, 0], [0, 1, 0]], path = [[1, 0, 0], [0, 0, 1], [-1, 0, 0]]", "45 degrees"),
+        (
+            "kind = \"swept\", profile = [[0, 0, 0], [1, 0, 0]], path = [[0, 0, 0], [0, 0, 0]]",
+            "without normal",
+        ),
+        (
+            "kind = \"swept\", profile = [[0, 0, 0], [1, 0, 0]], path = [[0, 0, 0], [1, 0, 0]]",
+            "without normal",
+        ),
+        (
+            "kind = \"swept\", profile = [[0, 0, 0], [0, 1, 0]], path = [[1, 0, 0], [0, 0, 1], [-1, 0, 0]]",
+            "45 degrees",
+        ),
     ] {
         let text = shell(surface, [1, 1]) + CLAMPED + "[analysis]\nkind = \"statics\"\n";
         let error = Model::parse(&text).unwrap_err().to_string();

@@ -29,19 +29,19 @@ fn sources() -> Vec<SurfacePrestrain> {
     vec![first, second]
 }
 
-/// Prescribed strains of an element of each kind, without and with coupling and damping.
+/// Prescribed strains of an element of each kind, without and with coupling.
 pub(super) fn shell_prestrain_terms() -> impl Iterator<Item = TermCase> {
-    let cases = [("", false, [0.0; 2]), (", laminate", true, [0.0; 2]), (", damped", true, [0.2, 0.7])];
-    cases.into_iter().flat_map(|(name, is_laminate, damping)| {
+    let cases = [("", false), (", laminate", true)];
+    cases.into_iter().flat_map(|(name, is_laminate)| {
         let case = |shape: &str, mut terms: Vec<_>| TermCase {
             name: format!("preloaded by prestrain, {shape}{name}"),
             term: terms.pop().expect("the term after the element"),
             kind: TermKind::Smooth,
         };
-        let thin = ShellMesh::new(0, [1, 1], Vector3::x(), map, &medium(is_laminate, damping));
+        let thin = ShellMesh::new(0, [1, 1], Vector3::x(), map, &medium(is_laminate, [0.0; 2]));
         let thin = case("shell", thin.with_prestrains(sources()).terms());
         let thick = SHAPES.map(|(corners, shape)| {
-            case(shape, mesh_of(corners, is_laminate, damping).with_prestrains(sources()).terms())
+            case(shape, mesh_of(corners, is_laminate, [0.0; 2]).with_prestrains(sources()).terms())
         });
         thick.into_iter().chain([thin])
     })

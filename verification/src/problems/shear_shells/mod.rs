@@ -2,7 +2,7 @@
 
 mod large;
 mod linear;
-mod mesh;
+pub(super) mod mesh;
 mod plates;
 mod triangles;
 

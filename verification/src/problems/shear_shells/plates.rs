@@ -23,7 +23,7 @@ pub(super) const PROBLEMS: &[Problem] = &[
         name: "mindlin_frequencies",
         title: "Frequencies of thin and thick square plates on hard simple supports",
         source: "Navier solution of Mindlin's plate with κ = 5/6, ν = 0.3, three unknowns for each pair of half-waves: ω a² √(ρh/D) for \
-                 h/a = 0.01, 0.1 and 0.2",
+                 h/a = 0.001, 0.01, 0.1 and 0.2",
         sketch: r"
       +--------+
       |        |   a = 1, D = 1, ρh = 1
@@ -108,7 +108,8 @@ fn mindlin() -> Result<Findings, VerificationError> {
 }
 
 /// ω a² √(ρh/D) of the modes (1, 1), (2, 1) and (2, 2) for the thicknesses h/a.
-const MINDLIN: [(f64, [f64; 3]); 3] = [
+const MINDLIN: [(f64, [f64; 3]); 4] = [
+    (0.001, [19.7391369062, 49.3475726562, 78.9556848843]),
     (0.01, [19.7320239232, 49.3031617895, 78.8421086762]),
     (0.1, [19.0649671691, 45.4826799050, 69.7943648753]),
     (0.2, [17.4485912188, 38.1521664809, 55.1500772421]),

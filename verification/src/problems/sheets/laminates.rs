@@ -36,7 +36,8 @@ pub(super) const PROBLEMS: &[Problem] = &[
         name: "cross_ply_plates",
         title: "Square cross-ply plates under sinusoidal and uniform loads",
         source: "Navier solution of the first-order theory with κ = 5/6, and of the classical theory for 0/90/0: w = q a⁴/(π⁴ D), \
-                 ω² = π⁴ D/(ρh a⁴), D = D₁₁ + 2 D₁₂ + 4 D₆₆ + D₂₂. E_L = 25, E_T = 1, G_LT = 0.5, G_TT = 0.2, ν = 0.25",
+                 ω² = π⁴ D/(ρh a⁴), D = D₁₁ + 2 D₁₂ + 4 D₆₆ + D₂₂. E_L = 25, E_T = 1, G_LT = 0.5, G_TT = 0.2, ν = 0.25. \
+                 Reddy: 10.854 for E_L = 40, G_LT = 0.6, G_TT = 0.5",
         sketch: r"
       +--------+
       |        |   a/h = 4, 10, 100; edges supported along w and the tangent
@@ -235,8 +236,8 @@ const SQUARES: [Square; 7] = [
 ];
 
 /// Deflections 100 E_T w h³/(q a⁴) under a sinusoidal and a uniform load, and ω a²/h √(ρ/E_T), of a quarter of n × n elements.
-fn quarter(element: Element, degrees: &[f64], side: f64, n: usize) -> Result<[f64; 3], VerificationError> {
-    let sheet = plate(element, [0.5 * side; 2], [n, n], degrees);
+fn quarter(sheet: &Sheet) -> Result<[f64; 3], VerificationError> {
+    let (n, side) = (sheet.elements[0], 2.0 * sheet.sides[0][0]);
     let supported = [
         sheet.body(),
         sheet.guide(Edge::Left, "\"y\", \"z\""),
@@ -278,16 +279,22 @@ fn square() -> Result<Findings, VerificationError> {
     let (mut found, mut points) = (Findings::default(), [const { Vec::new() }; 3]);
     let quantities = ["sinusoidal load", "uniform load", "frequency"];
     for (row, (name, degrees, side, exact)) in SQUARES.into_iter().enumerate() {
-        let ours = quarter(Element::Shear, degrees, side, 12)?;
+        let ours = quarter(&plate(Element::Shear, [0.5 * side; 2], [12, 12], degrees))?;
         for (k, what) in quantities.into_iter().enumerate() {
             found.compare(format!("{name}, a/h = {side}: {what}"), ours[k], exact[k], exact[k], 4e-3);
             points[k].push([(row + 1) as f64, ours[k] / exact[k]]);
         }
     }
-    let ours = quarter(Element::Thin, &[0.0, 90.0, 0.0], 100.0, 6)?;
+    let ours = quarter(&plate(Element::Thin, [50.0, 50.0], [6, 6], &[0.0, 90.0, 0.0]))?;
     let [deflection, frequency] = classical();
     found.compare("0/90/0, thin: sinusoidal load", ours[0], deflection, deflection, 1e-4);
     found.compare("0/90/0, thin: frequency", ours[2], frequency, frequency, 1e-4);
+    let reddy = Sheet {
+        material: "young = 40, poisson = 0.25, density = 1, orthotropic = { young = 1, shear = 0.6, transverse_shear = 0.5 }".into(),
+        ..plate(Element::Shear, [2.5, 2.5], [12, 12], &[0.0, 90.0, 90.0, 0.0])
+    };
+    let (ours, exact) = (quarter(&reddy)?[2], 10.85395416861);
+    found.compare("0/90/90/0, E_L/E_T = 40, a/h = 5: frequency", ours, exact, exact, 4e-3);
     let curves = quantities.into_iter().zip(points).map(|(what, points)| PlotCurve::points(what, points));
     found.plot(Plot::new("Relative to the Navier solution", ["row of the table", "ratio"], curves.collect()));
     Ok(found)

@@ -86,6 +86,11 @@ impl fmt::Display for MeshModel {
     }
 }
 
+/// Point of the unit disc for a point of the square −1 ≤ x, y ≤ 1.
+pub(in crate::problems) fn on_disc([x, y]: [f64; 2]) -> [f64; 2] {
+    [x * (1.0 - 0.5 * y * y).sqrt(), y * (1.0 - 0.5 * x * x).sqrt()]
+}
+
 /// Support of an edge.
 pub(in crate::problems) fn edge(edge: &str, condition: &str) -> String {
     format!(

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use super::mesh::{MeshModel, edge, isotropic, node, probe};
+use super::mesh::{MeshModel, edge, isotropic, node, on_disc, probe};
 use crate::{Findings, Plot, PlotCurve, Problem, Refinement, SolvedModel, VerificationError, solve};
 
 /// Problems of this file.
@@ -151,11 +151,9 @@ fn circle() -> Result<Findings, VerificationError> {
     let h: f64 = 0.002;
     let material = || isotropic([12.0 * (1.0 - 0.09) / h.powi(3), 0.3, 1.0 / h]);
     let disc = |n: u32| {
-        // The square −1 ≤ x, y ≤ 1 on the disc.
         let shell = MeshModel::grid([n as usize; 2], h, material(), |place| {
-            let [x, y] = place.map(|u| 2.0 * u - 1.0);
-            let point = [x * (1.0 - 0.5 * y * y).sqrt(), y * (1.0 - 0.5 * x * x).sqrt(), 0.0];
-            [point, [0.0, 0.0, 1.0]]
+            let [x, y] = on_disc(place.map(|u| 2.0 * u - 1.0));
+            [[x, y, 0.0], [0.0, 0.0, 1.0]]
         });
         modes(&shell, "\"clamped\"", 2)
     };

@@ -1,4 +1,4 @@
-//! Plates that rotate steadily: a blade, a ring and a disc.
+//! Plates that rotate: a blade, a ring, and a disc.
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -47,6 +47,19 @@ pub(super) const PROBLEMS: &[Problem] = &[
         goal: "A quarter of n × n elements: displacement of the edge and stress in the centre within 0.2 % with 16 × 16 elements. \
                Second order",
         run: disc,
+    },
+    Problem {
+        name: "spinning_disc",
+        title: "Disc that spins freely",
+        source: "Initial rotation of the undeformed disc: it vibrates about the steady rotation, whose displacement of the edge is \
+                 ρω² a³ (1 − ν)/4E (Timoshenko & Goodier 1951, art. 32). The angular momentum is constant",
+        sketch: r"
+        .--''--.
+       (        )  ω      a = 0.5 m, E = 1e7, ν = 0.3, ρ = 1000, ω = 5
+        '--..--'",
+        goal: "8 × 8 shear-deformable elements, 250 steps of the energy-momentum scheme, about ten radial vibrations: mean displacement of \
+               the edge with the weights of a Hann window within 2 %, angular momentum constant to 1e-12",
+        run: spinning,
     },
 ];
 
@@ -187,10 +200,9 @@ fn ring() -> Result<Findings, VerificationError> {
 
 fn disc() -> Result<Findings, VerificationError> {
     let model = |n: u32| {
-        // The unit square on a quarter of the disc.
         let shell =
             MeshModel::grid([n as usize; 2], THICKNESS, isotropic([YOUNG, POISSON, DENSITY]), |[u, v]| {
-                let [x, y] = [u * (1.0 - 0.5 * v * v).sqrt(), v * (1.0 - 0.5 * u * u).sqrt()];
+                let [x, y] = mesh::on_disc([u, v]);
                 [[OUTER * x, OUTER * y, 0.0], [0.0, 0.0, 1.0]]
             });
         format!(
@@ -211,6 +223,43 @@ fn disc() -> Result<Findings, VerificationError> {
         .value("stress in the centre, Pa", |s| Ok(s.last("centre.nuu")? / THICKNESS), stress, 2e-3)
         .order(2.0)
         .run()
+}
+
+fn spinning() -> Result<Findings, VerificationError> {
+    let (young, density, spin, n) = (1e7, 1000.0, 5.0_f64, 8);
+    let shell = MeshModel::grid([n; 2], 0.02, isotropic([young, POISSON, density]), |place| {
+        let [x, y] = mesh::on_disc(place.map(|u| 2.0 * u - 1.0));
+        [[OUTER * x, OUTER * y, 0.0], [0.0, 0.0, 1.0]]
+    });
+    let shell = MeshModel {
+        keys: format!("motion = {{ spin = [0, 0, {spin:?}], about = [0, 0, 0] }}\n"),
+        groups: shell.groups.clone() + &format!("groups.side = {{ nodes = [{}] }}\n", n / 2),
+        ..shell
+    };
+    let solved = solve(&format!(
+        "output.momentum = true\n{shell}{}[analysis]\nkind = \"dynamics\"\nduration = 0.15\nstep = 6e-4\n\
+         scheme = \"energy\"\n",
+        mesh::probe("edge", "side")
+    ))?;
+    let (x, y) = (solved.column("edge.x")?, solved.column("edge.y")?);
+    let moved: Vec<f64> = x.iter().zip(y).map(|(x, y)| x.hypot(*y) - OUTER).collect();
+    let last = (moved.len() - 1) as f64;
+    let weights: Vec<f64> = (0..moved.len()).map(|k| 1.0 - (TAU * k as f64 / last).cos()).collect();
+    let sum: f64 = moved.iter().zip(&weights).map(|(u, weight)| u * weight).sum();
+    let mean = sum / weights.iter().sum::<f64>();
+    let exact = density * spin.powi(2) * OUTER.powi(3) * (1.0 - POISSON) / (4.0 * young);
+    let mut found = Findings::default();
+    found.compare("mean displacement of the edge, m", mean, exact, exact, 2e-2);
+    let momentum = solved.column("lz")?;
+    for (row, value) in [("half", momentum[momentum.len() / 2]), ("end", momentum[momentum.len() - 1])] {
+        let what = format!("angular momentum at the {row}, kg m²/s");
+        found.compare(what, value, momentum[0], momentum[0], 1e-12);
+    }
+    let points = solved.column("t")?.iter().zip(&moved).map(|(t, u)| [*t, *u]).collect();
+    let steady = vec![[0.0, exact], [0.15, exact]];
+    let curves = vec![PlotCurve::line("computed", points), PlotCurve::line("steady rotation", steady)];
+    found.plot(Plot::new("Displacement of the edge", ["t, s", "m"], curves));
+    Ok(found)
 }
 
 #[cfg(test)]

@@ -8,6 +8,7 @@ mod meshes;
 mod models;
 mod rigid_bodies;
 mod shear_shells;
+mod sheets;
 mod shells;
 mod stability;
 mod statics;
@@ -56,6 +57,7 @@ pub fn all() -> impl Iterator<Item = &'static Problem> {
     let small = [statics::beams::PROBLEMS, statics::curved::PROBLEMS, stability::columns::PROBLEMS];
     let families = small.into_iter().chain(bodies).chain(forces::FAMILIES).chain(vibrations::FAMILIES);
     let families = families.chain(meshes::FAMILIES).chain(shells::FAMILIES).chain(shear_shells::FAMILIES);
+    let families = families.chain(sheets::FAMILIES);
     SINGLE.iter().chain(families.flatten())
 }
 

@@ -3,31 +3,31 @@
 use std::fmt::{self, Write};
 
 /// Shear-deformable shell of a model.
-pub(super) struct MeshModel {
-    pub(super) nodes: Vec<[f64; 3]>,
-    pub(super) elements: Vec<Vec<usize>>,
-    pub(super) directors: Vec<[f64; 3]>,
+pub(in crate::problems) struct MeshModel {
+    pub(in crate::problems) nodes: Vec<[f64; 3]>,
+    pub(in crate::problems) elements: Vec<Vec<usize>>,
+    pub(in crate::problems) directors: Vec<[f64; 3]>,
     /// Groups, as in a model file.
-    pub(super) groups: String,
-    pub(super) thickness: f64,
+    pub(in crate::problems) groups: String,
+    pub(in crate::problems) thickness: f64,
     /// Further keys of the shell.
-    pub(super) keys: String,
+    pub(in crate::problems) keys: String,
     /// Material, as in a model file.
-    pub(super) material: String,
+    pub(in crate::problems) material: String,
 }
 
 /// Point and normal of a surface as a function of its parameters.
 pub(super) type Map<'a> = dyn Fn([f64; 2]) -> [[f64; 3]; 2] + 'a;
 
 /// Isotropic material: Young's modulus, Poisson's ratio and density.
-pub(super) fn isotropic([young, poisson, density]: [f64; 3]) -> String {
+pub(in crate::problems) fn isotropic([young, poisson, density]: [f64; 3]) -> String {
     format!("young = {young:e}, poisson = {poisson:?}, density = {density:e}")
 }
 
 impl MeshModel {
     /// Mesh of n × m elements of a map of the unit square, with the groups `u0`, `u1`, `v0` and `v1` of its edges and the points `p00`,
     /// `p10`, `p11` and `p01` of its corners, `middle`, and `end` in the middle of `u1`. The map returns points and normals.
-    pub(super) fn grid(
+    pub(in crate::problems) fn grid(
         [n, m]: [usize; 2],
         thickness: f64,
         material: String,
@@ -140,8 +140,13 @@ impl fmt::Display for MeshModel {
     }
 }
 
+/// Point of the unit disc for a point of the square −1 ≤ x, y ≤ 1.
+pub(in crate::problems) fn on_disc([x, y]: [f64; 2]) -> [f64; 2] {
+    [x * (1.0 - 0.5 * y * y).sqrt(), y * (1.0 - 0.5 * x * x).sqrt()]
+}
+
 /// Support of an edge.
-pub(super) fn edge(edge: &str, condition: &str) -> String {
+pub(in crate::problems) fn edge(edge: &str, condition: &str) -> String {
     format!(
         "[[joints]]\nkind = \"support\"\nname = \"{edge}\"\na = {{ body = \"s\", at = {{ edge = \"{edge}\" }} }}\n\
          condition = {condition}\n"
@@ -149,7 +154,7 @@ pub(super) fn edge(edge: &str, condition: &str) -> String {
 }
 
 /// Support of a point against displacements along global axes.
-pub(super) fn node(point: &str, axes: &str) -> String {
+pub(in crate::problems) fn node(point: &str, axes: &str) -> String {
     format!(
         "[[joints]]\nkind = \"support\"\nname = \"{point} {}\"\na = {{ body = \"s\", at = {{ point = \"{point}\" }} }}\n\
          condition = \"guided\"\naxes = [{axes}]\n",
@@ -170,6 +175,6 @@ pub(super) fn edge_load(kind: &str, edge: &str, key: &str, load: [f64; 3]) -> St
 }
 
 /// Probe of a point.
-pub(super) fn probe(name: &str, point: &str) -> String {
+pub(in crate::problems) fn probe(name: &str, point: &str) -> String {
     format!("[[probes]]\nname = \"{name}\"\non = {{ body = \"s\", at = {{ point = \"{point}\" }} }}\n")
 }

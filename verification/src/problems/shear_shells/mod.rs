@@ -3,7 +3,7 @@
 mod discs;
 mod large;
 mod linear;
-mod mesh;
+pub(super) mod mesh;
 mod plates;
 mod strips;
 mod triangles;

@@ -2,9 +2,9 @@
 
 use std::f64::consts::TAU;
 
-use super::mesh::{MeshModel, edge, isotropic, node, probe};
+use super::mesh::{MeshModel, edge, isotropic, node, on_disc, probe};
 use crate::problems::models::study;
-use crate::{Findings, Plot, PlotCurve, Problem, VerificationError, solve};
+use crate::{Findings, Plot, PlotCurve, Problem, Refinement, SolvedModel, VerificationError, solve};
 
 /// Problems of this file.
 pub(super) const PROBLEMS: &[Problem] = &[
@@ -19,6 +19,29 @@ pub(super) const PROBLEMS: &[Problem] = &[
       +--------+",
         goal: "Deflection within 0.5 % with 16 × 16 elements, and two frequencies within 1 % with 24 × 24 elements",
         run: mindlin,
+    },
+    Problem {
+        name: "mindlin_frequencies",
+        title: "Frequencies of thin and thick square plates on hard simple supports",
+        source: "Navier solution of Mindlin's plate with κ = 5/6, ν = 0.3, three unknowns for each pair of half-waves: ω a² √(ρh/D) for \
+                 h/a = 0.001, 0.01, 0.1 and 0.2",
+        sketch: r"
+      +--------+
+      |        |   a = 1, D = 1, ρh = 1
+      +--------+",
+        goal: "Frequencies of the modes (1, 1), (2, 1) and (2, 2) within 1 % with 24 × 24 elements; errors of second order",
+        run: frequencies,
+    },
+    Problem {
+        name: "clamped_circle",
+        title: "Frequencies of a thin clamped circular plate",
+        source: "Bessel functions, J₀ I₁ + I₀ J₁ = 0 and J₁ I₂ + I₁ J₂ = 0: ω a² √(ρh/D) = 10.2158262 and 21.2603977",
+        sketch: r"
+        .--''--.
+       (        )   a = 1, D = 1, ρh = 1, h = 0.002
+        '--..--'",
+        goal: "First frequency within 0.5 % and second one within 1 % with 32 × 32 elements on the whole plate; second order",
+        run: circle,
     },
     Problem {
         name: "shear_shell_laminates",
@@ -95,6 +118,64 @@ fn mindlin() -> Result<Findings, VerificationError> {
         found.compare(format!("frequency {}", k + 1), ours, exact, exact, 1e-2);
     }
     Ok(found)
+}
+
+/// ω a² √(ρh/D) of the modes (1, 1), (2, 1) and (2, 2) for the thicknesses h/a.
+const MINDLIN: [(f64, [f64; 3]); 4] = [
+    (0.001, [19.7391369062, 49.3475726562, 78.9556848843]),
+    (0.01, [19.7320239232, 49.3031617895, 78.8421086762]),
+    (0.1, [19.0649671691, 45.4826799050, 69.7943648753]),
+    (0.2, [17.4485912188, 38.1521664809, 55.1500772421]),
+];
+
+/// Circular frequency of a row.
+fn frequency(row: usize) -> impl Fn(&SolvedModel) -> Result<f64, VerificationError> {
+    move |solved| Ok(solved.column("frequency")?.get(row).map_or(f64::NAN, |f| TAU * f))
+}
+
+/// Modes of a plate with equal supports of all edges.
+fn modes(plate: &MeshModel, condition: &str, count: usize) -> String {
+    let supports: String = ["u0", "u1", "v0", "v1"].map(|name| edge(name, condition)).concat();
+    format!("{plate}{supports}[analysis]\nkind = \"modes\"\ncount = {count}\n")
+}
+
+fn frequencies() -> Result<Findings, VerificationError> {
+    let mut found = Findings::default();
+    for (h, [first, second, third]) in MINDLIN {
+        // Without displacements in the plane, the lowest four modes are those of bending.
+        let hinged = "\"guided\"\naxes = [\"x\", \"y\", \"z\"]\nhard = true";
+        let model = |n: u32| modes(&plate(n as usize, h), hinged, 4);
+        let names = [(1, 1), (2, 1), (2, 2)].map(|(m, n)| format!("ω ({m}, {n}), h/a = {h}"));
+        let one = Refinement::new("elements", &[12, 24], model)
+            .value(&names[0], frequency(0), first, 1e-2)
+            .order(2.0)
+            .value(&names[1], frequency(1), second, 1e-2)
+            .order(2.0)
+            .value(&names[2], frequency(3), third, 1e-2)
+            .order(2.0)
+            .run()?;
+        found.comparisons.extend(one.comparisons);
+        found.plots.extend(one.plots);
+    }
+    Ok(found)
+}
+
+fn circle() -> Result<Findings, VerificationError> {
+    let h: f64 = 0.002;
+    let material = || isotropic([12.0 * (1.0 - 0.09) / h.powi(3), 0.3, 1.0 / h]);
+    let disc = |n: u32| {
+        let shell = MeshModel::grid([n as usize; 2], h, material(), |place| {
+            let [x, y] = on_disc(place.map(|u| 2.0 * u - 1.0));
+            [[x, y, 0.0], [0.0, 0.0, 1.0]]
+        });
+        modes(&shell, "\"clamped\"", 2)
+    };
+    Refinement::new("elements", &[8, 16, 32], disc)
+        .value("first frequency", frequency(0), 10.2158262, 5e-3)
+        .order(2.0)
+        .value("second frequency", frequency(1), 21.2603977, 1e-2)
+        .order(2.0)
+        .run()
 }
 
 fn laminates() -> Result<Findings, VerificationError> {

@@ -4,7 +4,7 @@ mod bending;
 mod contact;
 mod curved;
 mod large;
-mod models;
+pub(super) mod models;
 mod motions;
 mod plates;
 mod snap;

@@ -5,13 +5,13 @@ use std::fmt;
 use crate::SolvedModel;
 
 /// Shell of a model.
-pub(super) struct ShellModel<'a> {
+pub(in crate::problems) struct ShellModel<'a> {
     /// Surface, as in a model file.
-    pub(super) surface: &'a str,
-    pub(super) elements: [u32; 2],
-    pub(super) thickness: f64,
+    pub(in crate::problems) surface: &'a str,
+    pub(in crate::problems) elements: [u32; 2],
+    pub(in crate::problems) thickness: f64,
     /// Young's modulus, Poisson's ratio and density.
-    pub(super) material: [f64; 3],
+    pub(in crate::problems) material: [f64; 3],
 }
 
 impl fmt::Display for ShellModel<'_> {
@@ -24,7 +24,7 @@ impl fmt::Display for ShellModel<'_> {
 }
 
 /// Support of an edge.
-pub(super) fn edge(edge: &str, condition: &str) -> String {
+pub(in crate::problems) fn edge(edge: &str, condition: &str) -> String {
     format!(
         "[[joints]]\nkind = \"support\"\nname = \"{edge}\"\na = {{ body = \"s\", at = {{ edge = \"{edge}\" }} }}\n\
          condition = {condition}\n"
@@ -32,7 +32,7 @@ pub(super) fn edge(edge: &str, condition: &str) -> String {
 }
 
 /// Support of a node against displacements along global axes.
-pub(super) fn node(name: &str, at: [f64; 2], axes: &str) -> String {
+pub(in crate::problems) fn node(name: &str, at: [f64; 2], axes: &str) -> String {
     format!(
         "[[joints]]\nkind = \"support\"\nname = \"{name}\"\na = {{ body = \"s\", at = {at:?} }}\n\
          condition = \"guided\"\naxes = [{axes}]\n"
@@ -55,7 +55,7 @@ pub(super) fn surface_force(force: [f64; 3]) -> String {
 }
 
 /// Probe of a point.
-pub(super) fn probe(name: &str, at: [f64; 2]) -> String {
+pub(in crate::problems) fn probe(name: &str, at: [f64; 2]) -> String {
     format!("[[probes]]\nname = \"{name}\"\non = {{ body = \"s\", at = {at:?} }}\n")
 }
 

@@ -1,4 +1,4 @@
-//! Plates: natural frequencies, buckling, and a corner load with large rotations.
+//! Plates: natural frequencies, also of twisted ones, buckling, and a corner load with large rotations.
 
 use std::f64::consts::{PI, TAU};
 
@@ -31,6 +31,20 @@ pub(super) const PROBLEMS: &[Problem] = &[
       +--------+",
         goal: "44 circular frequencies within 1e-4 with 24 × 24 elements",
         run: fine_frequencies,
+    },
+    Problem {
+        name: "twisted_plates",
+        title: "Frequencies of twisted cantilever plates",
+        source: "Thin plates of the data of Leissa, MacBain & Kielb (1984), ν = 0.3, by an independent Kirchhoff-Love code with B-splines \
+                 of degree 4 on 16 × 10 elements; in-plane bending of the flat plate 62.192 by a Ritz series of plane stress with \
+                 32 × 14 terms",
+        sketch: r"
+  |/+--------.
+  |/|         \.     length a, chord b, b/h = 20, twist 15 to 60 degrees
+  |/+----------'     a/b = 1 and 3",
+        goal: "ω a² √(ρh/D): five modes for a/b = 1 with 6 × 6 elements and four for a/b = 3 with 12 × 4 elements within 0.15 %, in-plane \
+               bending within 0.1 %",
+        run: twisted,
     },
     Problem {
         name: "plate_buckling",
@@ -181,6 +195,57 @@ fn fine_frequencies() -> Result<Findings, VerificationError> {
         let title = format!("Deviation of the frequency from the reference, {edges}");
         found.plot(Plot::new(title, ["mode", "1e-6"], curves));
     }
+    Ok(found)
+}
+
+/// Ratio a/b, twist in degrees, and ω a² √(ρh/D).
+type Twisted = (f64, f64, &'static [f64]);
+
+/// The fifth mode for a/b = 3 is in-plane bending, and left out.
+const TWISTED: [Twisted; 8] = [
+    (1.0, 15.0, &[3.4536, 10.4587, 20.5829, 27.0993, 32.0889]),
+    (1.0, 30.0, &[3.40326, 14.4409, 18.7258, 27.2062, 34.8863]),
+    (1.0, 45.0, &[3.3256, 16.4365, 18.4758, 27.6222, 38.1822]),
+    (1.0, 60.0, &[3.2286, 14.2431, 21.7917, 28.0411, 41.0127]),
+    (3.0, 15.0, &[3.4196, 20.6840, 22.2783, 58.2098]),
+    (3.0, 30.0, &[3.4210, 19.0164, 25.3479, 55.9787]),
+    (3.0, 45.0, &[3.4235, 17.0115, 29.6488, 53.5769]),
+    (3.0, 60.0, &[3.4276, 15.0891, 34.6017, 50.9293]),
+];
+
+/// Lowest ω a² √(ρh/D) of a cantilever plate with a/b = `length` and a twist.
+fn twisted_modes(length: f64, degrees: f64, count: usize) -> Result<Vec<f64>, VerificationError> {
+    let surface = format!(
+        "kind = \"twisted\", from = [0, 0, 0], to = [{length:?}, 0, 0], width = [0, 1, 0], twist = {:?}",
+        degrees.to_radians()
+    );
+    let thickness: f64 = 0.05;
+    let shell = ShellModel {
+        surface: &surface,
+        elements: if length > 2.0 { [12, 4] } else { [6, 6] },
+        thickness,
+        material: [12.0 * (1.0 - 0.09) / thickness.powi(3), 0.3, 1.0 / thickness],
+    };
+    let root = edge("u_start", "\"clamped\"");
+    let solved = solve(&format!("{shell}{root}[analysis]\nkind = \"modes\"\ncount = {count}\n"))?;
+    Ok(solved.column("frequency")?.iter().map(|f| TAU * f * length.powi(2)).collect())
+}
+
+fn twisted() -> Result<Findings, VerificationError> {
+    let (mut found, mut curves) = (Findings::default(), Vec::new());
+    for (length, degrees, exact) in TWISTED {
+        let ours = twisted_modes(length, degrees, exact.len())?;
+        let mut points = Vec::new();
+        for (k, (ours, exact)) in ours.into_iter().zip(exact).enumerate() {
+            let what = format!("a/b = {length}, {degrees}°, mode {}", k + 1);
+            found.compare(what, ours, *exact, *exact, 1.5e-3);
+            points.push([(k + 1) as f64, ours / exact]);
+        }
+        curves.push(PlotCurve::points(format!("a/b = {length}, {degrees}°"), points));
+    }
+    let flat = twisted_modes(3.0, 0.0, 5)?;
+    found.compare("a/b = 3, flat, in-plane bending", flat[4], 62.192, 62.192, 1e-3);
+    found.plot(Plot::new("Frequency relative to the reference", ["mode", "ratio"], curves));
     Ok(found)
 }
 

@@ -1,0 +1,13 @@
+//! Flat sheets of thin and of shear-deformable shells: laminates, motions, rotation, flight.
+
+mod flight;
+mod laminates;
+mod model;
+mod pendulums;
+mod rotation;
+
+use crate::Problem;
+
+/// Problems of sheets of both kinds of shells.
+pub(super) const FAMILIES: [&[Problem]; 4] =
+    [laminates::PROBLEMS, pendulums::PROBLEMS, flight::PROBLEMS, rotation::PROBLEMS];

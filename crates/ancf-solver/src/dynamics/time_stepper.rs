@@ -1,10 +1,9 @@
 use super::damping_work::{DampingAttempt, PowerIntegral};
 use super::energy_guard::{EnergyAttempt, EnergyGuard, EnergyRecord, fastest_change};
 use super::energy_momentum::StepMiddle;
-use super::first_step::{StartValues, start_values};
-use super::initial_conditions::{Projected, accelerations, project};
 use super::integration_state::{DividedStep, IntegrationState};
 use super::scheme::SchemeCoefficients;
+use super::start::{Projected, StartValues, accelerations, project, start_values};
 use super::step_report::StepReport;
 use crate::equations::{ActiveGroup, Energy, EquationsOfMotion, Level, Power, State};
 use crate::newton::{ActiveSet, Newton, NewtonReport, SolveError, SolveFailure};

@@ -1,6 +1,6 @@
 use serde::{Deserialize, Serialize};
 
-use crate::dynamics::initial_conditions::solve;
+use crate::dynamics::start::solve;
 use crate::dynamics::time_stepper::TimeStepper;
 use crate::equations::{EquationsOfMotion, Level, Weights};
 use crate::factor::Products;

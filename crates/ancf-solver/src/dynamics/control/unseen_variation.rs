@@ -1,6 +1,6 @@
 use std::fmt::Debug;
 
-use crate::dynamics::initial_conditions::solve;
+use crate::dynamics::start::solve;
 use crate::equations::{EquationsOfMotion, State, Weights};
 use crate::factor::Factor;
 use crate::newton::{SolveError, SolveFailure};

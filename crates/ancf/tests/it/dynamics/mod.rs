@@ -11,4 +11,5 @@ mod pendulum;
 mod pulses;
 mod rigid_bodies;
 mod schemes;
+mod stiff_starts;
 mod unresolved;

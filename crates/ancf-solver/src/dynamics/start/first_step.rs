@@ -1,12 +1,8 @@
-use super::initial_conditions::{Factors, Projected, accelerations, project, solve, solve_again};
-use super::scheme::SchemeCoefficients;
+use super::initial_conditions::{solve, solve_again};
+use super::rates::{Rates, start_rates};
+use crate::dynamics::scheme::SchemeCoefficients;
 use crate::equations::{EquationsOfMotion, State, Weights};
 use crate::newton::{Newton, SolveError};
-
-/// Difference interval for the rate of the acceleration, relative to the step size.
-const DIFFERENCE_INTERVAL: f64 = 1.0 / 16.0;
-/// Projections of a state onto the constraints. The second step of Newton's method squares their small violation.
-const PROJECTIONS: [Projected; 3] = [Projected::Positions, Projected::Positions, Projected::Velocities];
 
 /// Computes start values of the generalized-α scheme for a first step h: the auxiliary acceleration and a velocity
 /// change.
@@ -30,8 +26,8 @@ pub(crate) fn start_values<E: EquationsOfMotion>(
 ) -> Result<(), SolveError> {
     let (n, StartValues { auxiliary, damping }) = (s.q.len(), start);
     eom.exchange(s, damping);
-    let Rates { acceleration: mut rate, damping: damping_rate } =
-        rates(eom, newton, s, damping, h * DIFFERENCE_INTERVAL)?;
+    let Rates { acceleration: mut rate, damping: damping_rate, .. } =
+        start_rates(eom, newton, s, damping, (scheme, h))?;
     start_damping(eom, scheme, newton, s, (damping, &damping_rate), h)?;
     rate.resize(newton.z.len(), 0.0);
     let Newton { tangent, r, z, .. } = newton;
@@ -85,64 +81,4 @@ fn start_damping<E: EquationsOfMotion>(
         *damping -= scheme.lead() * h * r;
     }
     Ok(())
-}
-
-/// Returns the state at a time d later on a parabola through a state.
-fn ahead(s: &State, d: f64) -> State {
-    let mut ahead = s.clone();
-    for i in 0..s.q.len() {
-        ahead.q[i] += d * (s.v[i] + 0.5 * d * s.a[i]);
-        ahead.v[i] += d * s.a[i];
-    }
-    ahead.t += d;
-    ahead
-}
-
-/// Rates of accelerations and damping forces at the start.
-struct Rates {
-    acceleration: Vec<f64>,
-    damping: Vec<f64>,
-}
-
-/// Computes v̈ from consistent accelerations along a parabola through a state: [−3v̇(0) + 4v̇(δ) − v̇(2δ)]/(2δ), and the
-/// rate of the damping forces in the same way.
-///
-/// The states on the parabola are projected onto the constraints of positions and velocities. The differences are
-/// one-sided, since loads may jump at the start. Quadratic terms cancel, including the error of the parabola in v.
-fn rates<E: EquationsOfMotion>(
-    eom: &E,
-    newton: &mut Newton,
-    s: &State,
-    damping: &[f64],
-    delta: f64,
-) -> Result<Rates, SolveError> {
-    let start = |x: &[f64]| -> Vec<f64> { x.iter().map(|x| -1.5 / delta * x).collect() };
-    let mut rates = Rates { acceleration: start(&s.a), damping: start(damping) };
-    for (d, weight) in [(delta, 2.0 / delta), (2.0 * delta, -0.5 / delta)] {
-        let mut ahead = ahead(s, d);
-        let Newton { tangent, z, r, .. } = &mut *newton;
-        let (matrix, factor) = tangent.lend();
-        // Beside the constraints, accelerations depend on the form of their equations.
-        let (mut projected, mut factors) = (ahead.clone(), Factors::OfOtherState);
-        let mut is_projected = |part| {
-            let done = project(eom, matrix, factor, &mut projected, part, z);
-            done.is_ok_and(|of| {
-                factors = of;
-                true
-            })
-        };
-        if PROJECTIONS.into_iter().all(&mut is_projected) {
-            ahead = projected;
-        } else {
-            factors = Factors::OfOtherState;
-        }
-        accelerations(eom, matrix, factor, &mut ahead, z, factors)?;
-        eom.exchange(&ahead, r);
-        let add = |rate: &mut [f64], x: &[f64]| {
-            rate.iter_mut().zip(x).for_each(|(rate, x)| *rate += weight * x);
-        };
-        add(&mut rates.acceleration, &ahead.a);
-        add(&mut rates.damping, r);
-    }
-    Ok(rates)
 }

@@ -1,0 +1,9 @@
+//! Start of a motion: consistent accelerations and multipliers, and the start values of the first step.
+
+mod first_step;
+mod initial_conditions;
+mod rates;
+
+pub(crate) use first_step::{StartValues, start_values};
+pub(crate) use initial_conditions::{Projected, accelerations, project, solve};
+pub use initial_conditions::{consistent_accelerations, consistent_positions, consistent_velocities};

@@ -1,0 +1,167 @@
+use super::initial_conditions::{Factors, Projected, accelerations, project, solve};
+use crate::dynamics::scheme::SchemeCoefficients;
+use crate::equations::{EquationsOfMotion, State, Weights};
+use crate::newton::{Newton, SolveError};
+
+/// Difference interval for the rate of the acceleration, relative to the step size.
+const DIFFERENCE_INTERVAL: f64 = 1.0 / 16.0;
+/// Second difference of accelerations, relative to the first one, up to which the rate is accepted at once.
+const SMOOTH: f64 = 0.25;
+/// Factor between intervals, and largest number of smaller ones.
+const REFINEMENT: f64 = 1.0 / 16.0;
+const REFINEMENTS: i32 = 5;
+/// Change of the velocities in a step by the difference of two rates, relative to the velocities, at which a rate is accepted, and above
+/// which no rate is used.
+const ACCEPTED: f64 = 1e-3;
+const REJECTED: f64 = 1e-2;
+/// Projections of a state onto the constraints. The second step of Newton's method squares their small violation.
+const PROJECTIONS: [Projected; 3] = [Projected::Positions, Projected::Positions, Projected::Velocities];
+
+/// Rates of accelerations and damping forces at the start.
+pub(super) struct Rates {
+    pub(super) acceleration: Vec<f64>,
+    pub(super) damping: Vec<f64>,
+    /// First and second differences of the accelerations.
+    differences: [Vec<f64>; 2],
+}
+
+/// Computes the rates of accelerations and damping forces for a first step h.
+///
+/// A stiff body that starts to rotate without strain is an example of large second differences: along the straight lines of its
+/// points it is stretched by ½(ωδ)², and its elastic accelerations exceed all others. Their error in v̈, of the order (c/l)² ω³ δ² with the speed of
+/// sound c, is a rigid rotation, which no filter removes. Smaller intervals remove it; the rates of two intervals are compared in
+/// the norm of the kinetic energy. Without agreement the rates are zero, which leaves an error of the first order in the auxiliary
+/// acceleration.
+pub(super) fn start_rates<E: EquationsOfMotion>(
+    eom: &E,
+    newton: &mut Newton,
+    s: &State,
+    damping: &[f64],
+    (scheme, h): (SchemeCoefficients, f64),
+) -> Result<Rates, SolveError> {
+    let rates_for = |newton: &mut Newton, k: i32| {
+        rates(eom, newton, s, damping, h * DIFFERENCE_INTERVAL * REFINEMENT.powi(k))
+    };
+    let mut last = rates_for(newton, 0)?;
+    let [first, second] = last.differences.each_ref().map(|x| magnitude(eom, newton, s, x));
+    if second <= SMOOTH * first {
+        return Ok(last);
+    }
+    let speed = magnitude(eom, newton, s, &s.v) + h * magnitude(eom, newton, s, &s.a);
+    let mut filtered = filter(eom, scheme, newton, s, &last.acceleration, h)?;
+    let mut least = f64::INFINITY;
+    let mut best = None;
+    for k in 1..=REFINEMENTS {
+        let next = rates_for(newton, k)?;
+        let other = filter(eom, scheme, newton, s, &next.acceleration, h)?;
+        let apart: Vec<f64> = filtered.iter().zip(&other).map(|(x, y)| x - y).collect();
+        let change = h * h * magnitude(eom, newton, s, &apart);
+        if change <= ACCEPTED * speed {
+            return Ok(next);
+        }
+        if change < least {
+            (least, best) = (change, Some(next));
+        }
+        filtered = other;
+    }
+    match best {
+        Some(rates) if least <= REJECTED * speed => Ok(rates),
+        _ => {
+            last.acceleration.fill(0.0);
+            last.damping.fill(0.0);
+            Ok(last)
+        }
+    }
+}
+
+/// Returns √(xᵀ M x).
+fn magnitude<E: EquationsOfMotion>(eom: &E, newton: &mut Newton, s: &State, x: &[f64]) -> f64 {
+    let Newton { tangent, r, z, .. } = newton;
+    let (matrix, _) = tangent.lend();
+    eom.tangent(s, Weights::MASS, matrix);
+    z.fill(0.0);
+    z[..x.len()].copy_from_slice(x);
+    matrix.multiply(z, r);
+    x.iter().zip(&*r).map(|(x, r)| x * r).sum::<f64>().max(0.0).sqrt()
+}
+
+/// Returns the rate of the acceleration without motions that are faster than the step: [S, Φ_qᵀ; Φ_q, 0] (x, ·) = (M v̈, Φ_q v̈).
+fn filter<E: EquationsOfMotion>(
+    eom: &E,
+    scheme: SchemeCoefficients,
+    newton: &mut Newton,
+    s: &State,
+    rate: &[f64],
+    h: f64,
+) -> Result<Vec<f64>, SolveError> {
+    let Newton { tangent, r, z, .. } = newton;
+    let (matrix, factor) = tangent.lend();
+    eom.tangent(s, Weights::MASS, matrix);
+    r.fill(0.0);
+    r[..rate.len()].copy_from_slice(rate);
+    matrix.multiply(r, z);
+    solve(eom, matrix, factor, s, scheme.weights(h), z)?;
+    Ok(z[..rate.len()].to_vec())
+}
+
+/// Returns the state at a time d later on a parabola through a state.
+fn ahead(s: &State, d: f64) -> State {
+    let mut ahead = s.clone();
+    for i in 0..s.q.len() {
+        ahead.q[i] += d * (s.v[i] + 0.5 * d * s.a[i]);
+        ahead.v[i] += d * s.a[i];
+    }
+    ahead.t += d;
+    ahead
+}
+
+/// Computes v̈ from consistent accelerations along a parabola through a state: [−3v̇(0) + 4v̇(δ) − v̇(2δ)]/(2δ), and the
+/// rate of the damping forces in the same way.
+///
+/// The states on the parabola are projected onto the constraints of positions and velocities. The differences are
+/// one-sided, since loads may jump at the start. Quadratic terms cancel, including the error of the parabola in v.
+fn rates<E: EquationsOfMotion>(
+    eom: &E,
+    newton: &mut Newton,
+    s: &State,
+    damping: &[f64],
+    delta: f64,
+) -> Result<Rates, SolveError> {
+    let start = |x: &[f64]| -> Vec<f64> { x.iter().map(|x| -1.5 / delta * x).collect() };
+    let zeros = || vec![0.0; s.q.len()];
+    let [mut first, mut second] = [zeros(), zeros()];
+    let mut rates =
+        Rates { acceleration: start(&s.a), damping: start(damping), differences: Default::default() };
+    for (d, weight, of) in [(delta, 2.0 / delta, [1.0, -2.0]), (2.0 * delta, -0.5 / delta, [0.0, 1.0])] {
+        let mut ahead = ahead(s, d);
+        let Newton { tangent, z, r, .. } = &mut *newton;
+        let (matrix, factor) = tangent.lend();
+        // Beside the constraints, accelerations depend on the form of their equations.
+        let (mut projected, mut factors) = (ahead.clone(), Factors::OfOtherState);
+        let mut is_projected = |part| {
+            let done = project(eom, matrix, factor, &mut projected, part, z);
+            done.is_ok_and(|of| {
+                factors = of;
+                true
+            })
+        };
+        if PROJECTIONS.into_iter().all(&mut is_projected) {
+            ahead = projected;
+        } else {
+            factors = Factors::OfOtherState;
+        }
+        accelerations(eom, matrix, factor, &mut ahead, z, factors)?;
+        eom.exchange(&ahead, r);
+        let add = |rate: &mut [f64], x: &[f64]| {
+            rate.iter_mut().zip(x).for_each(|(rate, x)| *rate += weight * x);
+        };
+        add(&mut rates.acceleration, &ahead.a);
+        add(&mut rates.damping, r);
+        for (i, (now, then)) in ahead.a.iter().zip(&s.a).enumerate() {
+            first[i] += of[0] * (now - then);
+            second[i] += of[1] * (now - then);
+        }
+    }
+    rates.differences = [first, second];
+    Ok(rates)
+}

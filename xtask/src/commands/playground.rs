@@ -42,11 +42,13 @@ fn compile() -> Result<PathBuf, String> {
     Ok(folder.join(TARGET).join("release/ancf_web.wasm"))
 }
 
-/// Optimises crates without hot loops for size: the module is transferred.
+/// Optimises crates without hot loops for size, and all crates together: the module is transferred.
 fn small() -> impl Iterator<Item = String> {
     let crates = ["ancf", "ancf-report", "ancf-surface", "serde_json", "toml", "toml_edit"];
     let option = |name| format!("profile.release.package.{name}.opt-level=\"s\"");
-    crates.into_iter().flat_map(move |name| ["--config".to_owned(), option(name)])
+    let together = ["profile.release.lto=\"fat\"", "profile.release.codegen-units=1"].map(str::to_owned);
+    let options = crates.into_iter().map(option).chain(together);
+    options.flat_map(|option| ["--config".to_owned(), option])
 }
 
 /// Installs the target by rustup, if possible.

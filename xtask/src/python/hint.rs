@@ -51,6 +51,7 @@ fn array(schema: &Json, of: &Json, uses: &mut BTreeSet<String>) -> String {
     let name = match (kind(items), of["minItems"].as_u64(), of["maxItems"].as_u64()) {
         ("number", Some(3), Some(3)) => "Vector",
         ("number", ..) => "Numbers",
+        ("array", ..) if kind(&items["items"]) == "array" => "PointGrid",
         ("array", ..) => "Points",
         _ => {
             uses.insert("Sequence".into());

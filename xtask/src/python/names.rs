@@ -56,7 +56,7 @@ const DRIVES: [&str; 10] = [
 ];
 
 /// Names of classes that differ from the word of their form: definition, word or first required key, name.
-const CLASSES: [(&str, &str, &str); 34] = [
+const CLASSES: [(&str, &str, &str); 36] = [
     ("Analysis", "path", "EquilibriumPath"),
     ("Body", "mass", "PointMass"),
     ("Body", "rigid", "RigidBody"),
@@ -80,8 +80,10 @@ const CLASSES: [(&str, &str, &str); 34] = [
     ("Scheme", "spectral_radius", "GeneralizedAlpha"),
     ("Section", "general", "GeneralSection"),
     ("ShellSurface", "flat", "FlatSurface"),
+    ("ShellSurface", "lofted", "LoftedSurface"),
     ("ShellSurface", "revolved", "RevolvedSurface"),
     ("ShellSurface", "sphere", "SphericalSurface"),
+    ("ShellSurface", "swept", "SweptSurface"),
     ("ShellSurface", "twisted", "TwistedSurface"),
     ("Step", "tolerance", "AdaptiveStep"),
     ("Stop", "energy", "EnergyCriterion"),

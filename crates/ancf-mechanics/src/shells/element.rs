@@ -7,8 +7,9 @@ use nalgebra::Vector3;
 use pulp::Arch;
 
 use super::hermite::{Shape, VECTORS};
+use super::prestrain::{StrainField, StrainedElement, SurfaceLaw};
 use super::profile::{POINTS, ShellMedium, ShellProfile, ShellTables, sum};
-use super::rounding::add_rounding;
+use super::rounding::{add_rounding, add_stress_rounding};
 use super::stiffness::{ShellMatrix, StiffnessJob};
 use super::surface_state::{ShellStrains, SurfaceState, surface_areas};
 use crate::kinematics::relative_rotation;
@@ -32,7 +33,7 @@ pub struct Shell48 {
 }
 
 /// Returns the nodal vectors of a slice of coordinates.
-pub(super) fn vectors(x: &[f64]) -> [Vector3<f64>; VECTORS] {
+fn vectors(x: &[f64]) -> [Vector3<f64>; VECTORS] {
     std::array::from_fn(|i| Vector3::new(x[3 * i], x[3 * i + 1], x[3 * i + 2]))
 }
 
@@ -62,13 +63,7 @@ impl Shell48 {
         0.5 * stress.product(&strains)
     }
 
-    /// Returns the tables of all elements.
-    pub(super) fn tables(&self) -> &ShellTables {
-        &self.tables
-    }
-
-    /// Evaluates the surface, from the coordinates of the element.
-    pub(super) fn state(&self, q: &[f64]) -> SurfaceState {
+    fn state(&self, q: &[f64]) -> SurfaceState {
         SurfaceState::new(&self.tables, &self.profile, &vectors(q))
     }
 
@@ -103,12 +98,7 @@ impl Shell48 {
     }
 
     /// Computes `material` times the material stiffness plus the stiffness of stresses.
-    pub(super) fn stiffness(
-        &self,
-        state: &SurfaceState,
-        material: f64,
-        stress: &ShellStrains,
-    ) -> ShellMatrix {
+    fn stiffness(&self, state: &SurfaceState, material: f64, stress: &ShellStrains) -> ShellMatrix {
         let (tables, profile) = (&*self.tables, &*self.profile);
         let mut sum = ShellMatrix::ZERO;
         Arch::new().dispatch(StiffnessJob { state, tables, profile, material, stress, sum: &mut sum });
@@ -147,7 +137,7 @@ impl Shell48 {
     /// D d (m·(Δκ − d))/(d·D d), d = B(q_m) Δq.
     ///
     /// Source: Gonzalez (2000), discrete derivatives in the strains: momenta are preserved.
-    pub(super) fn correct_moments(
+    fn correct_moments(
         &self,
         stress: &mut ShellStrains,
         middle: &SurfaceState,
@@ -279,5 +269,78 @@ impl Term for Shell48 {
         if self.is_damped() {
             velocity_forces(self, at, r);
         }
+    }
+}
+
+impl StrainedElement for Shell48 {
+    type Strains = ShellStrains;
+
+    fn zero() -> ShellStrains {
+        ShellStrains::ZERO
+    }
+
+    fn add(sum: &mut ShellStrains, factor: f64, other: &ShellStrains) {
+        sum.add(factor, other);
+    }
+
+    fn product(stress: &ShellStrains, strains: &ShellStrains) -> f64 {
+        stress.product(strains)
+    }
+
+    fn law(&self) -> SurfaceLaw<'_> {
+        let medium = &self.profile.medium;
+        SurfaceLaw { section: &medium.section, axis: medium.axis, stress_axis: None }
+    }
+
+    fn retardation(&self) -> f64 {
+        self.profile.medium.retardation
+    }
+
+    fn sampled(&self, field: StrainField<'_>) -> ShellStrains {
+        let (profile, mut strains) = (&self.profile, ShellStrains::ZERO);
+        let samples = profile.samples.iter().zip(&self.tables.samples);
+        for (strain, ([t, s], sample)) in strains.membrane.iter_mut().zip(samples) {
+            *strain = field([t, s])[0][sample.component];
+        }
+        for (curvature, point) in strains.bending.iter_mut().zip(&profile.points) {
+            *curvature = field([&point.reference[0], &point.reference[1]])[1];
+        }
+        strains
+    }
+
+    fn stress_of(&self, strains: &ShellStrains) -> ShellStrains {
+        self.profile.stress(&self.tables, strains)
+    }
+
+    fn strains_of(&self, q: &[f64]) -> ShellStrains {
+        self.state(q).strains
+    }
+
+    fn rates_of(&self, q: &[f64], v: &[f64]) -> ShellStrains {
+        self.state(q).rates(&self.tables, &vectors(v))
+    }
+
+    fn add_forces_of(&self, q: &[f64], stress: &ShellStrains, r: &mut [f64]) {
+        let forces =
+            self.state(q).forces((&self.tables, &self.profile), stress, &[Vector3::zeros(); VECTORS]);
+        for (row, force) in r.iter_mut().zip(forces.iter().flatten()) {
+            *row += force;
+        }
+    }
+
+    fn add_rounding_of(&self, q: &[f64], stress: &ShellStrains, floor: &mut [f64]) {
+        let (sizes, mut bound): (Shape, _) = (vectors(q).map(|q| q.norm()), [0.0; VECTORS]);
+        add_stress_rounding(&self.tables, &self.profile, &sizes, (&self.state(q), stress), &mut bound);
+        floor.iter_mut().enumerate().for_each(|(i, floor)| *floor += bound[i / 3]);
+    }
+
+    fn add_stiffness_of(&self, q: &[f64], stress: &ShellStrains, k: &mut LocalMatrix<'_>) {
+        self.stiffness(&self.state(q), 0.0, stress).add_to(k);
+    }
+
+    fn exact_work(&self, mut stress: ShellStrains, step: &LocalStep<'_>) -> ShellStrains {
+        let [before, after] = [&step.from, &step.to].map(|at| self.state(at.q).strains);
+        self.correct_moments(&mut stress, &self.state(step.middle.q), [&before, &after], step);
+        stress
     }
 }

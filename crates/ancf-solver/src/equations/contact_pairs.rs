@@ -122,7 +122,7 @@ impl ActiveContacts {
         let coupled: Vec<ActiveGroup> = further.iter().filter_map(|&i| groups.get(i).copied()).collect();
         let fits = |pattern: &Pattern| blocks.iter().all(|block| pattern.contains(block));
         let shared = |mut pattern: Pattern| {
-            pattern.share(lasting.sharing());
+            pattern.mark_as(lasting);
             Arc::new(pattern)
         };
         let (pattern, coupled) = if further.is_empty() {

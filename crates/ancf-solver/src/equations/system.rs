@@ -8,7 +8,7 @@ use super::dependence::scaled_constraint_rows;
 use super::motion_equations::EquationsOfMotion;
 use super::scatter::{Scatter, pattern_of, scatters};
 use super::term_sums::{LocalState, USUAL};
-use super::terms::{LOCAL, Local, LocalMatrix, State, Term};
+use super::terms::{LOCAL, Local, LocalMatrix, State, Term, Weights};
 use super::thread_parts::ThreadParts;
 use crate::sparse::{ConstraintRow, Pattern, SparseMatrix};
 
@@ -168,7 +168,18 @@ impl System {
     pub fn with_shared_multipliers(mut self, multipliers: impl IntoIterator<Item = usize>) -> Self {
         let unknowns = multipliers.into_iter().map(|multiplier| self.coordinates + multiplier);
         Arc::make_mut(&mut self.pattern).share(unknowns);
+        let coordinates = self.without_stiffness();
+        Arc::make_mut(&mut self.pattern).leave_without_stiffness(coordinates.into_iter());
         self
+    }
+
+    /// Returns the coordinates without stiffness in the reference state without constraint forces.
+    fn without_stiffness(&self) -> Vec<usize> {
+        let mut stiffness = self.matrix();
+        self.tangent(&State::rest(self.coordinates, self.multipliers), Weights::STIFFNESS, &mut stiffness);
+        let diagonal: Vec<f64> = stiffness.diagonal().collect();
+        let pattern = &self.pattern;
+        (0..self.coordinates).filter(|&coordinate| diagonal[pattern.position(coordinate)] == 0.0).collect()
     }
 
     /// System that is in equilibrium in a state at the load factor s = 0, from which it is released in proportion to s.

@@ -62,6 +62,7 @@ impl EquationsOfMotion for System {
     }
 
     fn tangent(&self, s: &State, w: Weights, k: &mut SparseMatrix) {
+        k.set_inertia(w.a != 0.0);
         let values = k.values_mut();
         values.fill(0.0);
         self.by_entries.add_to(values, |batches, values, first| {

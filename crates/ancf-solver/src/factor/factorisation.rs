@@ -128,6 +128,7 @@ impl Factor {
         let Some(mut shared) = self.shared.take() else { return self.factorise_plain(k) };
         shared.d.copy_from_slice(&self.d);
         match_scales(k, self.rounding, &mut shared.d, [&mut self.r, &mut self.x]);
+        self.d.copy_from_slice(&shared.d);
         let values = shared.compliant.values_mut();
         values.copy_from_slice(k.values());
         for &at in self.pattern.shared() {

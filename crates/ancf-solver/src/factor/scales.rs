@@ -38,8 +38,8 @@ pub(super) fn equilibrate(k: &SparseMatrix, d: &mut [f64], [largest, bound]: [&m
 /// Changes the scales of constrained coordinates without stiffness beyond `rounding`, in an equilibration by [`equilibrate`], to
 /// match those of the other coordinates in their constraints.
 ///
-/// The stiffness of a rigid body in statics is zero or a rounding error. Its constraints would have the scale of that error, and a
-/// compliance relative to it would make them soft.
+/// The stiffness of a rigid body in statics is zero, a rounding error, or that of small constraint forces. Its constraints would have
+/// this scale, and a compliance relative to it would make them soft.
 pub(super) fn match_scales(
     k: &SparseMatrix,
     rounding: f64,
@@ -47,12 +47,12 @@ pub(super) fn match_scales(
     [largest, bound]: [&mut [f64]; 2],
 ) {
     let constrained = || k.pattern().constrained();
-    let mut open = false;
-    for at in constrained() {
-        if k.values()[k.pattern().diagonal(at)].abs() <= rounding {
-            (d[at], open) = (0.0, true);
-        }
+    let is_zero = |at: usize| k.values()[k.pattern().diagonal(at)].abs() <= rounding;
+    constrained().filter(|&at| is_zero(at)).for_each(|at| d[at] = 0.0);
+    if !k.has_inertia() {
+        k.pattern().without_stiffness().iter().for_each(|&at| d[at] = 0.0);
     }
+    let mut open = d.contains(&0.0);
     if !open {
         return;
     }
@@ -72,14 +72,24 @@ pub(super) fn match_scales(
     scale_multipliers(k, d, largest);
 }
 
+/// Entry of a constraint, relative to its largest one, that may be a rounding error and gives no scale.
+const NEGLIGIBLE: f64 = 1e-9;
+
 /// Computes bounds of the scales that are zero: they match the largest scaled entry of a constraint. Infinite without one.
 fn bound_scales(k: &SparseMatrix, d: &[f64], [largest, bound]: [&mut [f64]; 2]) {
     bound.fill(f64::INFINITY);
     largest_entries(k, d, largest);
-    for &Border { coordinate, multiplier, slot } in k.pattern().border() {
+    let border = k.pattern().border();
+    // The bounds of multipliers are the largest entries of their rows.
+    border.iter().for_each(|border| bound[border.multiplier as usize] = 0.0);
+    for &Border { multiplier, slot, .. } in border {
+        let row = &mut bound[multiplier as usize];
+        *row = row.max(k.values()[slot].abs());
+    }
+    for &Border { coordinate, multiplier, slot } in border {
         let (coordinate, entry, others) =
             (coordinate as usize, k.values()[slot].abs(), largest[multiplier as usize]);
-        if d[coordinate] == 0.0 && entry > 0.0 && others > 0.0 {
+        if d[coordinate] == 0.0 && entry > NEGLIGIBLE * bound[multiplier as usize] && others > 0.0 {
             bound[coordinate] = bound[coordinate].min(others / entry);
         }
     }

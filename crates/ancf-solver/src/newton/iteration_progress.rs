@@ -17,6 +17,8 @@ pub(crate) struct IterationProgress {
     before: [f64; 2],
     /// Smallest norm of the gaps of the constraints before an increment, in statics.
     pub(crate) gap: Option<f64>,
+    /// Largest norm of these gaps.
+    pub(crate) widest: f64,
     /// Number of consecutive iterations that did not halve the energy.
     pub(crate) stagnant: u32,
 }

@@ -73,6 +73,8 @@ const ROUNDING: f64 = 1e-15;
 const REST: f64 = 1e-20;
 /// Energy of an increment, relative to that of the state, below which the iteration may end at its rounding errors.
 const SMALL: f64 = 1e-8;
+/// Gap of the constraints, relative to the largest one of a solution, that may be a rounding error.
+const REMAINING_GAP: f64 = 1e-6;
 /// Default number of iterations without progress that counts as stagnation.
 const STAGNATION_LIMIT: u32 = 3;
 
@@ -298,10 +300,12 @@ impl Newton {
         let is_at_rest = |newton: &Self| {
             progress.last.is_some_and(|last| newton.is_at_rest(last.max(eom.energy(s).largest())))
         };
-        // The energy does not see motions without forces. In statics their gaps close until they are rounding errors.
+        // The energy does not see motions without forces. In statics their gaps close until they are rounding errors. A gap that
+        // remains as it was is none: the increments do not solve the equations.
         let gap = norm(&self.r[s.q.len()..]);
         let is_closed = |newton: &mut Self| {
-            progress.gap.is_none_or(|least| gap >= 0.5 * least) || newton.at(eom, s).has_closed_gaps()
+            let is_least = |least| gap >= 0.5 * least && gap <= REMAINING_GAP * progress.widest;
+            progress.gap.is_none_or(is_least) || newton.at(eom, s).has_closed_gaps()
         };
         if is_floor || (may_be_zero && (is_at_rest(self) || is_zero(self)) && is_closed(self)) {
             return ControlFlow::Break(Ok(NewtonReport { floor: true, ..report }));
@@ -327,6 +331,7 @@ impl Newton {
         if is_static {
             let gap = norm(&self.r[s.q.len()..]);
             progress.gap = Some(progress.gap.map_or(gap, |least| least.min(gap)));
+            progress.widest = progress.widest.max(gap);
         }
         match self.stop {
             StopRule::Energy(tolerance) => {

@@ -9,12 +9,24 @@ use super::supernodes::{QUAD, RowRun};
 pub struct SparseMatrix {
     pattern: Arc<Pattern>,
     values: Vec<f64>,
+    /// False for a stiffness matrix of statics.
+    has_inertia: bool,
 }
 
 impl SparseMatrix {
     pub(crate) fn zero(pattern: Arc<Pattern>) -> Self {
         let values = vec![0.0; pattern.entries()];
-        Self { pattern, values }
+        Self { pattern, values, has_inertia: true }
+    }
+
+    /// States if the matrix contains inertia.
+    pub(crate) fn set_inertia(&mut self, has_inertia: bool) {
+        self.has_inertia = has_inertia;
+    }
+
+    /// Returns false for a stiffness matrix of statics.
+    pub(crate) fn has_inertia(&self) -> bool {
+        self.has_inertia
     }
 
     /// Returns the pattern.

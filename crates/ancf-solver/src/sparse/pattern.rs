@@ -30,6 +30,8 @@ pub struct Pattern {
     massless: Vec<usize>,
     /// Positions of undetermined multipliers in ascending order.
     shared: Vec<usize>,
+    /// Positions of coordinates without stiffness of their own, such as those of rigid bodies.
+    without_stiffness: Vec<usize>,
 }
 
 /// Entry that couples a multiplier with a coordinate.
@@ -64,8 +66,17 @@ impl Pattern {
         let supernode_of = of.flat_map(|(supernode, at)| supernode.own().map(move |_| at)).collect();
         let late = massless.iter().flat_map(|(late, _)| late.iter());
         let massless = late.map(|&coordinate| position[coordinate] as usize).collect();
-        let (border, constrained, shared) = (Vec::new(), Vec::new(), Vec::new());
-        Self { position, order, supernode_of, supernodes, border, constrained, massless, shared }
+        Self {
+            position,
+            order,
+            supernode_of,
+            supernodes,
+            border: Vec::new(),
+            constrained: Vec::new(),
+            massless,
+            shared: Vec::new(),
+            without_stiffness: Vec::new(),
+        }
     }
 
     /// Sets the entries that couple a coordinate with a multiplier, both as unknowns.
@@ -89,6 +100,22 @@ impl Pattern {
     pub(crate) fn share(&mut self, unknowns: impl Iterator<Item = usize>) {
         self.shared = unknowns.map(|unknown| self.position(unknown)).collect();
         self.shared.sort_unstable();
+    }
+
+    /// Marks coordinates without stiffness of their own. In statics their stiffness is that of constraint forces.
+    pub(crate) fn leave_without_stiffness(&mut self, coordinates: impl Iterator<Item = usize>) {
+        self.without_stiffness = coordinates.map(|coordinate| self.position(coordinate)).collect();
+    }
+
+    /// Returns the positions of coordinates without stiffness of their own.
+    pub(crate) fn without_stiffness(&self) -> &[usize] {
+        &self.without_stiffness
+    }
+
+    /// Marks the same unknowns as another pattern of the system.
+    pub(crate) fn mark_as(&mut self, other: &Self) {
+        self.share(other.sharing());
+        self.leave_without_stiffness(other.without_stiffness.iter().map(|&at| other.unknown(at)));
     }
 
     /// Returns the unknowns that are undetermined multipliers.

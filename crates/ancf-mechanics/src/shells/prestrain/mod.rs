@@ -2,12 +2,10 @@
 
 mod element;
 mod list;
-mod shear;
 mod source;
 mod term;
-mod thin;
 
-pub(crate) use element::StrainedElement;
+pub(crate) use element::{StrainField, StrainedElement};
 pub(crate) use list::{ElementPrestrain, SurfacePrestrains};
 pub(crate) use source::SurfaceLaw;
 pub use source::SurfacePrestrain;

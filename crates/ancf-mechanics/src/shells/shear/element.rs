@@ -5,9 +5,10 @@ use ancf_solver::equations::{
 };
 use nalgebra::{SMatrix, SVector, Vector3};
 
-use super::forms::{Strains, Vectors, Weighting, gradient, interpolate};
+use super::forms::{SURFACE, Strains, Vectors, Weighting, gradient, interpolate};
 use super::profile::{ShearProfile, ShearTables, tangents, volume};
 use crate::kinematics::relative_rotation;
+use crate::shells::prestrain::{StrainField, StrainedElement, SurfaceLaw};
 
 /// Volume (a_ξ × a_η)·d at a node, relative to the reference, below which an element counts as inverted.
 const CRUSHED: f64 = 1e-2;
@@ -43,19 +44,19 @@ pub type Shell24 = ShearElement<8, 32, 24>;
 pub type Shell18 = ShearElement<6, 12, 18>;
 
 /// Returns the nodal vectors of a slice of coordinates.
-pub(in crate::shells) fn vectors<const V: usize>(x: &[f64]) -> Vectors<V> {
+fn vectors<const V: usize>(x: &[f64]) -> Vectors<V> {
     std::array::from_fn(|i| Vector3::new(x[3 * i], x[3 * i + 1], x[3 * i + 2]))
 }
 
 /// State of an element: its strains and their gradients by the nodal vectors.
-pub(in crate::shells) struct ShearState<const S: usize, const C: usize> {
+struct ShearState<const S: usize, const C: usize> {
     strains: Strains<S>,
     gradients: SMatrix<f64, S, C>,
 }
 
 impl<const S: usize, const C: usize> ShearState<S, C> {
     /// Computes the forces of stresses.
-    pub(in crate::shells) fn forces(&self, stress: &Strains<S>) -> SVector<f64, C> {
+    fn forces(&self, stress: &Strains<S>) -> SVector<f64, C> {
         self.gradients.transpose() * stress
     }
 }
@@ -79,18 +80,8 @@ impl<const V: usize, const S: usize, const C: usize> ShearElement<V, S, C> {
         0.5 * strains.dot(&self.stress(&strains))
     }
 
-    /// Returns the forms of the strains.
-    pub(in crate::shells) fn tables(&self) -> &ShearTables<V, S> {
-        &self.tables
-    }
-
-    /// Returns the constant data.
-    pub(in crate::shells) fn profile(&self) -> &ShearProfile<V, S> {
-        &self.profile
-    }
-
     /// Computes the strains for displacements of the nodal vectors.
-    pub(in crate::shells) fn strains(&self, u: &Vectors<V>) -> Strains<S> {
+    pub(super) fn strains(&self, u: &Vectors<V>) -> Strains<S> {
         let profile = &self.profile;
         Strains::from_fn(|k, _| {
             let moved = gradient(&self.tables.forms[k], u);
@@ -98,13 +89,11 @@ impl<const V: usize, const S: usize, const C: usize> ShearElement<V, S, C> {
         })
     }
 
-    /// Computes the stresses of strains.
-    pub(in crate::shells) fn stress(&self, strains: &Strains<S>) -> Strains<S> {
+    fn stress(&self, strains: &Strains<S>) -> Strains<S> {
         *self.profile.stiffness * strains
     }
 
-    /// Evaluates the strains and their gradients.
-    pub(in crate::shells) fn state(&self, q: &[f64]) -> ShearState<S, C> {
+    fn state(&self, q: &[f64]) -> ShearState<S, C> {
         let u = vectors(q);
         let (mut strains, mut gradients) = (Strains::zeros(), SMatrix::zeros());
         for k in 0..S {
@@ -158,7 +147,7 @@ impl<const V: usize, const S: usize, const C: usize> ShearElement<V, S, C> {
     }
 
     /// Adds `material` times the material stiffness and the stiffness of stresses.
-    pub(in crate::shells) fn add_stiffness(
+    fn add_stiffness(
         &self,
         state: &ShearState<S, C>,
         material: f64,
@@ -227,10 +216,7 @@ impl<const V: usize, const S: usize, const C: usize> ShearElement<V, S, C> {
 }
 
 /// Computes the rates of the strains for rates of the coordinates.
-pub(in crate::shells) fn rates<const S: usize, const C: usize>(
-    state: &ShearState<S, C>,
-    v: &[f64],
-) -> Strains<S> {
+fn rates<const S: usize, const C: usize>(state: &ShearState<S, C>, v: &[f64]) -> Strains<S> {
     state.gradients * SMatrix::<f64, C, 1>::from_column_slice(v)
 }
 
@@ -337,5 +323,71 @@ impl<const V: usize, const S: usize, const C: usize> Term for ShearElement<V, S,
         if self.is_damped() {
             velocity_forces(self, at, r);
         }
+    }
+}
+
+impl<const V: usize, const S: usize, const C: usize> StrainedElement for ShearElement<V, S, C> {
+    type Strains = Strains<S>;
+
+    fn zero() -> Strains<S> {
+        Strains::zeros()
+    }
+
+    fn add(sum: &mut Strains<S>, factor: f64, other: &Strains<S>) {
+        *sum += other * factor;
+    }
+
+    fn product(stress: &Strains<S>, strains: &Strains<S>) -> f64 {
+        stress.dot(strains)
+    }
+
+    fn law(&self) -> SurfaceLaw<'_> {
+        let medium = &self.profile.medium;
+        let axis = Some(medium.axis);
+        SurfaceLaw { section: &medium.section.surface, axis, stress_axis: axis }
+    }
+
+    fn retardation(&self) -> f64 {
+        self.profile.medium.retardation
+    }
+
+    /// Samples membrane strains and curvatures at the integration points. Transverse shear and thickness strains are zero.
+    fn sampled(&self, field: StrainField<'_>) -> Strains<S> {
+        let (profile, mut strains) = (&self.profile, Strains::<S>::zeros());
+        for (k, (at, _)) in profile.shape.surface_points().iter().enumerate() {
+            let ([t, s], _) = tangents(profile.shape, *at, &profile.reference);
+            for (kind, own) in field([&t, &s]).iter().enumerate() {
+                strains.fixed_rows_mut::<3>(SURFACE * k + 3 * kind).copy_from(own);
+            }
+        }
+        strains
+    }
+
+    fn stress_of(&self, strains: &Strains<S>) -> Strains<S> {
+        self.stress(strains)
+    }
+
+    fn strains_of(&self, q: &[f64]) -> Strains<S> {
+        self.strains(&vectors(q))
+    }
+
+    fn rates_of(&self, q: &[f64], v: &[f64]) -> Strains<S> {
+        rates(&self.state(q), v)
+    }
+
+    fn add_forces_of(&self, q: &[f64], stress: &Strains<S>, r: &mut [f64]) {
+        let forces: SVector<f64, C> = self.state(q).forces(stress);
+        r.iter_mut().zip(&forces).for_each(|(row, force)| *row += force);
+    }
+
+    fn add_rounding_of(&self, q: &[f64], stress: &Strains<S>, floor: &mut [f64]) {
+        let mut bound = [0.0; V];
+        let sizes = vectors::<V>(q).map(|q| q.norm());
+        self.profile.add_stress_rounding(&self.tables, &sizes, stress, &mut bound);
+        floor.iter_mut().enumerate().for_each(|(i, floor)| *floor += bound[i / 3]);
+    }
+
+    fn add_stiffness_of(&self, q: &[f64], stress: &Strains<S>, k: &mut LocalMatrix<'_>) {
+        self.add_stiffness(&self.state(q), 0.0, stress, k);
     }
 }

@@ -13,10 +13,6 @@ mod stress;
 mod surface;
 mod topology;
 
-pub(super) use element::{ShearElement, rates, vectors};
-pub(super) use forms::{SURFACE, Strains};
-pub(super) use profile::tangents;
-
 pub use directors::{directors, stress_axis};
 pub use face::Face;
 pub use mesh::{ShearShellMesh, SurfacePlace};

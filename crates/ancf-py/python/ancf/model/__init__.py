@@ -71,6 +71,7 @@ from ancf.model.bodies import (
     Helix,
     InitialMotion,
     Layer,
+    Lofted,
     MeshGroup,
     PointMass,
     RevolvedSurface,
@@ -82,6 +83,7 @@ from ancf.model.bodies import (
     SphericalSurface,
     Spline,
     Straight,
+    Swept,
     TwistedSurface,
 )
 from ancf.model.connectors import Bushing, Distance, Spring
@@ -146,6 +148,7 @@ from ancf.model.loads import (
     SurfaceFluid,
     SurfaceForce,
     SurfacePressure,
+    SurfacePrestrain,
 )
 from ancf.model.output import Output, Probe, ProbeQuantity
 from ancf.model.sections import (
@@ -251,6 +254,7 @@ __all__ = [
     "LinearizationState",
     "Load",
     "LoadDirection",
+    "Lofted",
     "Material",
     "MaterialLaw",
     "MatrixBushing",
@@ -314,6 +318,8 @@ __all__ = [
     "SurfaceFluid",
     "SurfaceForce",
     "SurfacePressure",
+    "SurfacePrestrain",
+    "Swept",
     "TimeFunction",
     "TimeTable",
     "Tube",

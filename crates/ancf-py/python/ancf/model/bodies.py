@@ -31,6 +31,7 @@ __all__ = [
     "Helix",
     "InitialMotion",
     "Layer",
+    "Lofted",
     "MeshGroup",
     "PointMass",
     "RevolvedSurface",
@@ -42,6 +43,7 @@ __all__ = [
     "SphericalSurface",
     "Spline",
     "Straight",
+    "Swept",
     "TwistedSurface",
 ]
 
@@ -319,7 +321,53 @@ class TwistedSurface(Part):
     twist: float
 
 
-ShellSurface: TypeAlias = FlatSurface | RevolvedSurface | SphericalSurface | TwistedSurface
+@checked_arguments
+@dataclass(kw_only=True, slots=True, eq=False, repr=False)
+class Lofted(Part):
+    """Smooth surface through curves: u is along the curves, v from the first to the last one.
+
+    Cubic splines in both directions. Curves whose first and last points coincide are closed without a kink.
+
+    Attributes
+    ----------
+    sections
+        Points of each curve, length. All curves have the same number of points.
+
+    """
+
+    _form = "ShellSurface"
+    _tag = "kind"
+    kind: ClassVar[Literal["lofted"]] = "lofted"
+
+    sections: Points
+
+
+@checked_arguments
+@dataclass(kw_only=True, slots=True, eq=False, repr=False)
+class Swept(Part):
+    """Curve that moves along a path without rotation about it: u is along the curve, v along the path.
+
+    Cubic splines through the points; two points are a straight line.
+
+    Attributes
+    ----------
+    profile
+        Points of the curve at the start of the path, length.
+    path
+        Points of the path, length. The curve has the same position to its start as to that of the first
+        point.
+
+    """
+
+    _form = "ShellSurface"
+    _tag = "kind"
+    kind: ClassVar[Literal["swept"]] = "swept"
+
+    profile: Points
+    path: Points
+
+
+ShellSurface: TypeAlias = FlatSurface | RevolvedSurface | SphericalSurface | TwistedSurface | Lofted | Swept
 """Middle surface of a shell as a map of (u, v).
 
 The normal is that of the directions of u and v by the right-hand rule.

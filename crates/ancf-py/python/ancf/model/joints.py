@@ -619,7 +619,10 @@ class Support(Part):
 class Seam(Part):
     """Seam of two edges of shells, or of two edges of one shell such as a closed cylinder.
 
-    Both edges have the same points and the same number of elements.
+    Both edges have the same points and the same number of elements. Both shells are thin, or both are
+    shear-deformable.
+
+    Several seams may join an edge, such as those of a rib.
 
     Attributes
     ----------

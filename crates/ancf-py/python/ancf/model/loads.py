@@ -31,6 +31,7 @@ __all__ = [
     "SurfaceFluid",
     "SurfaceForce",
     "SurfacePressure",
+    "SurfacePrestrain",
 ]
 
 
@@ -482,6 +483,50 @@ class Prestrain(Part):
 
 @checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
+class SurfacePrestrain(Part):
+    """Change of the stress-free shape of a shell: heating, swelling, pretension, natural curvature.
+
+    Components are (11, 22, 2·12) of strains and curvatures and (11, 22, 12) of forces, in the frame of
+    stresses or that of ``axis``. Strains, tensions and curvatures of all loads of a shell add up.
+
+    Attributes
+    ----------
+    body
+        Name of the shell.
+    axis
+        Axis whose projection on the surface is the direction 1; that of the stresses by default.
+    curvature
+        Curvatures without stress, in addition to those of the reference shape, positive if the side of the
+        normal is longer; radians/length. Default: ``[0.0, 0.0, 0.0]``.
+    region
+        Name of a group of elements of a shear-deformable shell; the whole shell by default.
+    strain
+        Elongations and shear without stress: [0.01, 0.01, 0] enlarges a free shell by 1 %, [αΔT, αΔT, 0] is
+        that of a warmer shell. Default: ``[0.0, 0.0, 0.0]``.
+    tension
+        Membrane forces in the reference shape, positive in tension; force/length. Default: ``[0.0, 0.0,
+        0.0]``.
+    time
+        Function of time that multiplies strains, tensions and curvatures. Statics ignores it. Default:
+        ``1.0``.
+
+    """
+
+    _form = "Load"
+    _tag = "kind"
+    kind: ClassVar[Literal["surface_prestrain"]] = "surface_prestrain"
+
+    body: str
+    axis: Vector | None = None
+    curvature: Vector | None = None
+    region: str | None = None
+    strain: Vector | None = None
+    tension: Vector | None = None
+    time: TimeFunction | None = None
+
+
+@checked_arguments
+@dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class ExternalForce(Part):
     """Force at a point, computed by a function of time, position and velocity of the point.
 
@@ -522,6 +567,7 @@ Load: TypeAlias = (
     | BaseRotation
     | FluidLoad
     | Prestrain
+    | SurfacePrestrain
     | ExternalForce
 )
 """Load on bodies. Gravity is a key of the model."""

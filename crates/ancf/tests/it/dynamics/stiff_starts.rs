@@ -8,6 +8,7 @@ fn spinning(body: &str, young: f64, keys: &str, step: f64) -> Model {
     let text = format!(
         "materials.m = {{ young = {young:e}, poisson = 0.3, density = 1200 }}\n\
          sections.s = {{ kind = \"rectangle\", height = 0.004, width = 0.1 }}\n\
+         sections.c = {{ kind = \"circle\", diameter = 0.01 }}\n\
          [[bodies]]\nname = \"s\"\nmaterial = \"m\"\n{body}\nmotion = {{ spin = [0, 12, 0], about = [0, 0, 0] }}\n\
          [output]\nmomentum = true\n[analysis]\nkind = \"dynamics\"\nduration = 0.1\nstep = {step}\n{keys}\n"
     );
@@ -15,7 +16,7 @@ fn spinning(body: &str, young: f64, keys: &str, step: f64) -> Model {
 }
 
 const BODIES: [&str; 4] = [
-    "kind = \"cable\"\nfrom = [-0.1, 0, 0]\nto = [0.1, 0, 0]\nelements = 2\nsection = \"s\"",
+    "kind = \"cable\"\nfrom = [-0.1, 0, 0]\nto = [0.1, 0, 0]\nelements = 2\nsection = \"c\"",
     "kind = \"beam\"\nfrom = [-0.1, 0, 0]\nto = [0.1, 0, 0]\nelements = 2\nup = [0, 0, 1]\nsection = \"s\"",
     "kind = \"shell\"\nelements = [4, 1]\nthickness = 0.004\n\
      surface = { kind = \"flat\", corner = [-0.1, 0, 0], side_u = [0.2, 0, 0], side_v = [0, 0.1, 0] }",
@@ -27,7 +28,8 @@ const BODIES: [&str; 4] = [
 fn kept(model: &Model) -> [f64; 2] {
     let mut series = Series::new();
     assert!(simulate(model, &mut series).unwrap().outcome.is_finished());
-    let momentum = series.column("s.ly").unwrap_or_else(|| panic!("{:?}", series.names().collect::<Vec<_>>()));
+    let momentum =
+        series.column("s.ly").unwrap_or_else(|| panic!("{:?}", series.names().collect::<Vec<_>>()));
     [momentum[1] / momentum[0], momentum[momentum.len() - 1] / momentum[0]]
 }
 

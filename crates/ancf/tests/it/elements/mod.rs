@@ -9,6 +9,7 @@ mod laminates;
 mod large_rotations;
 mod mesh_seams;
 mod properties;
+mod redundant_edges;
 mod seam_motions;
 mod seams;
 mod shear_shells;

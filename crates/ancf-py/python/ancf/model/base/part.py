@@ -15,7 +15,7 @@ from ancf import _ancf
 from ancf.model.base.arguments import checked_arguments, label
 from ancf.model.base.tables import Tables
 
-__all__ = ["ForceFunction", "LawFunction", "Numbers", "Part", "Points", "Shared", "Vector"]
+__all__ = ["ForceFunction", "LawFunction", "Numbers", "Part", "PointGrid", "Points", "Shared", "Vector"]
 
 Numbers: TypeAlias = Sequence[float] | NDArray[Any]
 """A sequence of numbers."""
@@ -23,6 +23,8 @@ Vector: TypeAlias = Sequence[float] | NDArray[Any]
 """Three components in the global frame."""
 Points: TypeAlias = Sequence[Vector] | NDArray[Any]
 """A sequence of points, three components each."""
+PointGrid: TypeAlias = Sequence[Points] | NDArray[Any]
+"""Rows of points, three components each."""
 ForceFunction: TypeAlias = Callable[[float, NDArray[Any], NDArray[Any]], Vector]
 """Force as a function of time, position and velocity of its point."""
 LawFunction: TypeAlias = Callable[[float, float, float], float | tuple[float, float, float]]

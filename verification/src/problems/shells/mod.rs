@@ -10,11 +10,12 @@ mod plates;
 mod snap;
 mod static_plates;
 mod strips;
+mod tape;
 
 use crate::Problem;
 
 /// Problems of plates and shells.
-pub(super) const FAMILIES: [&[Problem]; 9] = [
+pub(super) const FAMILIES: [&[Problem]; 10] = [
     bending::PROBLEMS,
     curved::PROBLEMS,
     plates::PROBLEMS,
@@ -24,4 +25,5 @@ pub(super) const FAMILIES: [&[Problem]; 9] = [
     large::PROBLEMS,
     snap::PROBLEMS,
     contact::PROBLEMS,
+    tape::PROBLEMS,
 ];

@@ -10,7 +10,7 @@ from typing import ClassVar, Literal, TypeAlias
 
 from ancf.model.base.arguments import checked_arguments
 from ancf.model.base.axis import Axis, Frame, Point, Surface
-from ancf.model.base.part import Numbers, Part, Points, Vector
+from ancf.model.base.part import Numbers, Part, PointGrid, Points, Vector
 from ancf.model.sections import Material, Section
 
 __all__ = [
@@ -31,7 +31,7 @@ __all__ = [
     "Helix",
     "InitialMotion",
     "Layer",
-    "Lofted",
+    "LoftedSurface",
     "MeshGroup",
     "PointMass",
     "RevolvedSurface",
@@ -43,7 +43,7 @@ __all__ = [
     "SphericalSurface",
     "Spline",
     "Straight",
-    "Swept",
+    "SweptSurface",
     "TwistedSurface",
 ]
 
@@ -323,7 +323,7 @@ class TwistedSurface(Part):
 
 @checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
-class Lofted(Part):
+class LoftedSurface(Part):
     """Smooth surface through curves: u is along the curves, v from the first to the last one.
 
     Cubic splines in both directions. Curves whose first and last points coincide are closed without a kink.
@@ -339,12 +339,12 @@ class Lofted(Part):
     _tag = "kind"
     kind: ClassVar[Literal["lofted"]] = "lofted"
 
-    sections: Points
+    sections: PointGrid
 
 
 @checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
-class Swept(Part):
+class SweptSurface(Part):
     """Curve that moves along a path without rotation about it: u is along the curve, v along the path.
 
     Cubic splines through the points; two points are a straight line.
@@ -367,7 +367,9 @@ class Swept(Part):
     path: Points
 
 
-ShellSurface: TypeAlias = FlatSurface | RevolvedSurface | SphericalSurface | TwistedSurface | Lofted | Swept
+ShellSurface: TypeAlias = (
+    FlatSurface | RevolvedSurface | SphericalSurface | TwistedSurface | LoftedSurface | SweptSurface
+)
 """Middle surface of a shell as a map of (u, v).
 
 The normal is that of the directions of u and v by the right-hand rule.

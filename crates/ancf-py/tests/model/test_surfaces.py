@@ -16,10 +16,8 @@ def test_a_lofted_membrane_of_an_array_is_stretched() -> None:
         thickness=1e-4,
         material=ancf.Material(density=1400, young=4e9, poisson=0.3),
     )
-    edges = [
-        ancf.Support(edge, a={"body": "sail", "at": {"edge": edge}}, condition="hinged")
-        for edge in ("u_start", "u_end", "v_start", "v_end")
-    ]
+    names: list[ancf.EdgeName] = ["u_start", "u_end", "v_start", "v_end"]
+    edges = [ancf.Support(name, a=sail.edge(name), condition="hinged") for name in names]
     model = ancf.Model(
         bodies=[sail],
         joints=edges,

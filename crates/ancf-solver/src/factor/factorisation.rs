@@ -60,8 +60,7 @@ impl FactorHistory {
 struct SharedMultipliers {
     /// Compliant matrix K_ε.
     compliant: SparseMatrix,
-    /// Equilibration of the compliances, right-hand side and solution of K, by position.
-    d: Vec<f64>,
+    /// Right-hand side and solution of K, by position.
     b: Vec<f64>,
     x: Vec<f64>,
 }
@@ -107,8 +106,7 @@ impl Factor {
             lu: None,
             shared: (!pattern.shared().is_empty()).then(|| {
                 let compliant = SparseMatrix::zero(Arc::clone(pattern));
-                let [d, b, x] = std::array::from_fn(|_| zeros.clone());
-                Box::new(SharedMultipliers { compliant, d, b, x })
+                Box::new(SharedMultipliers { compliant, b: zeros.clone(), x: zeros.clone() })
             }),
             verified: false,
             rounding: 0.0,
@@ -126,13 +124,11 @@ impl Factor {
     pub fn factorise(&mut self, k: &SparseMatrix) -> Result<(), SingularMatrix> {
         self.rounding = equilibrate(k, &mut self.d, [&mut self.r, &mut self.x]);
         let Some(mut shared) = self.shared.take() else { return self.factorise_plain(k) };
-        shared.d.copy_from_slice(&self.d);
-        match_scales(k, self.rounding, &mut shared.d, [&mut self.r, &mut self.x]);
-        self.d.copy_from_slice(&shared.d);
+        match_scales(k, self.rounding, &mut self.d, [&mut self.r, &mut self.x]);
         let values = shared.compliant.values_mut();
         values.copy_from_slice(k.values());
         for &at in self.pattern.shared() {
-            values[self.pattern.diagonal(at)] -= COMPLIANCE / shared.d[at].powi(2);
+            values[self.pattern.diagonal(at)] -= COMPLIANCE / self.d[at].powi(2);
         }
         let done = self.factorise_plain(&shared.compliant);
         self.shared = Some(shared);
@@ -277,7 +273,7 @@ impl Factor {
         shared.x.fill(0.0);
         let coordinates = self.b.len() - lambda.len();
         for &at in self.pattern.shared().iter().filter(|_| !lambda.is_empty()) {
-            self.b[at] += COMPLIANCE / shared.d[at].powi(2) * lambda[self.pattern.unknown(at) - coordinates];
+            self.b[at] += COMPLIANCE / self.d[at].powi(2) * lambda[self.pattern.unknown(at) - coordinates];
         }
         let mut steps = 0;
         loop {

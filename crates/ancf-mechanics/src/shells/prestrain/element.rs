@@ -1,10 +1,6 @@
 use ancf_solver::equations::{LocalMatrix, LocalStep, Term};
-use nalgebra::Vector3;
 
-use super::source::{Covariant, SurfaceLaw};
-
-/// Field of strains: covariant components for the reference tangents r_ξ and r_η at a point.
-pub(crate) type StrainField<'a> = &'a dyn Fn([&Vector3<f64>; 2]) -> Covariant;
+use super::source::{StrainField, SurfaceLaw};
 
 /// Shell element whose stresses are linear in its strains, D ε + τ D ε̇.
 pub(crate) trait StrainedElement: Term + Clone {

@@ -5,8 +5,8 @@ use ancf_solver::equations::{LOCAL, Local, State, Term};
 use nalgebra::Vector3;
 
 use super::element::StrainedElement;
-use super::source::{Covariant, SurfaceLaw, SurfacePrestrain};
-use super::term::{Factors, ShellPrestrain};
+use super::source::{Covariant, Factors, SurfaceLaw, SurfacePrestrain, each_part, factors};
+use super::term::ShellPrestrain;
 
 /// Prescribed strains of a shell, with the terms of the elements that have any.
 #[derive(Clone, Default)]
@@ -78,7 +78,7 @@ impl SurfacePrestrains {
 
     /// Returns the factors of the sources in a state.
     pub(crate) fn factors(&self, state: &State) -> Factors {
-        self.sources.iter().map(|source| source.factor(state.t, state.load)).collect()
+        factors(&self.sources, state.t, state.load)
     }
 
     /// Returns the prescribed strains of an element at a point with reference tangents, for factors of the sources.
@@ -90,18 +90,12 @@ impl SurfacePrestrains {
         factors: &Factors,
     ) -> Covariant {
         let mut sum = [Vector3::zeros(); 2];
-        let mut add = |strains: Covariant, factor: f64| {
-            sum.iter_mut().zip(strains).for_each(|(sum, strain)| *sum += strain * factor);
-        };
-        let here: Vec<_> =
-            self.sources.iter().zip(factors).filter(|(source, _)| source.covers(element)).collect();
-        for (k, (source, [f, _])) in here.iter().enumerate() {
-            add(source.linear(law, tangents), *f);
-            for (other, [g, _]) in &here[..k] {
-                add(source.quadratic(Some(other), law, tangents), f * g);
-            }
-            add(source.quadratic(None, law, tangents), f * f);
-        }
+        let covering = self.sources.iter().zip(factors).filter(|(source, _)| source.covers(element));
+        let (here, factors): (Vec<&SurfacePrestrain>, Vec<&[f64; 2]>) = covering.unzip();
+        each_part(&here, law, |sources, field| {
+            let factor: f64 = sources.iter().flatten().map(|k| factors[*k][0]).product();
+            sum.iter_mut().zip(field(tangents)).for_each(|(sum, strain)| *sum += strain * factor);
+        });
         sum
     }
 }

@@ -5,8 +5,7 @@ mod list;
 mod source;
 mod term;
 
-pub(crate) use element::{StrainField, StrainedElement};
+pub(crate) use element::StrainedElement;
 pub(crate) use list::{ElementPrestrain, SurfacePrestrains};
-pub(crate) use source::SurfaceLaw;
 pub use source::SurfacePrestrain;
-pub(crate) use term::Factors;
+pub(crate) use source::{Factors, StrainField, SurfaceLaw};

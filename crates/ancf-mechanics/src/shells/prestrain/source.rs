@@ -1,4 +1,5 @@
 use nalgebra::{Matrix2, Matrix3, SMatrix, SVector, Vector3};
+use smallvec::SmallVec;
 
 use crate::functions::Function;
 use crate::shells::laminates::{ShellSection, to_orthonormal};
@@ -37,6 +38,32 @@ pub(crate) struct SurfaceLaw<'a> {
 /// Membrane strains and curvatures in covariant components (ξξ, ηη, 2 ξη).
 pub(crate) type Covariant = [Vector3<f64>; 2];
 
+/// Field of strains: covariant components for the reference tangents r_ξ and r_η at a point.
+pub(crate) type StrainField<'a> = &'a dyn Fn([&Vector3<f64>; 2]) -> Covariant;
+
+/// Factors of sources with their rates.
+pub(crate) type Factors = SmallVec<[[f64; 2]; 4]>;
+
+/// Returns the factors of sources with their rates.
+pub(super) fn factors(sources: &[SurfacePrestrain], t: f64, load: f64) -> Factors {
+    sources.iter().map(|source| source.factor(t, load)).collect()
+}
+
+/// Visits the parts of the strains of several sources: the numbers of the sources whose factors multiply the part, and its field.
+pub(super) fn each_part(
+    sources: &[&SurfacePrestrain],
+    law: &SurfaceLaw<'_>,
+    mut visit: impl FnMut([Option<usize>; 2], StrainField<'_>),
+) {
+    for (k, source) in sources.iter().enumerate() {
+        visit([Some(k), None], &|tangents| source.linear(law, tangents));
+        for other in 0..=k {
+            let second = (other < k).then(|| sources[other]);
+            visit([Some(k), Some(other)], &|tangents| source.quadratic(second, law, tangents));
+        }
+    }
+}
+
 /// Returns the tensor of components (11, 22, 2·12).
 fn tensor(strain: &Vector3<f64>) -> Matrix2<f64> {
     Matrix2::new(strain.x, 0.5 * strain.z, 0.5 * strain.z, strain.y)
@@ -49,7 +76,7 @@ impl SurfacePrestrain {
     }
 
     /// Returns the factor of the change of shape and its rate.
-    pub(crate) fn factor(&self, t: f64, load: f64) -> [f64; 2] {
+    fn factor(&self, t: f64, load: f64) -> [f64; 2] {
         let function = self.function.at(t);
         [load * function.value, load * function.rate]
     }
@@ -59,7 +86,7 @@ impl SurfacePrestrain {
     }
 
     /// Returns the strains at a point with reference tangents that are linear in the factor.
-    pub(crate) fn linear(&self, law: &SurfaceLaw<'_>, tangents: [&Vector3<f64>; 2]) -> Covariant {
+    fn linear(&self, law: &SurfaceLaw<'_>, tangents: [&Vector3<f64>; 2]) -> Covariant {
         let to_local = self.to_orthonormal(law, tangents);
         // A singular reference surface is reported elsewhere: its strains are NaN.
         let from_local = to_local.try_inverse().unwrap_or_else(|| Matrix3::repeat(f64::NAN));
@@ -72,7 +99,7 @@ impl SurfacePrestrain {
     }
 
     /// Returns Green's strain ½ (ε⁰_a ε⁰_b + ε⁰_b ε⁰_a) of the elongations of two sources, half of it for equal sources.
-    pub(crate) fn quadratic(
+    fn quadratic(
         &self,
         other: Option<&Self>,
         law: &SurfaceLaw<'_>,

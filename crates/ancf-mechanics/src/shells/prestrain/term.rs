@@ -1,10 +1,9 @@
 use std::sync::Arc;
 
 use ancf_solver::equations::{Energy, Local, LocalMatrix, LocalStep, Term, Weights};
-use smallvec::SmallVec;
 
 use super::element::StrainedElement;
-use super::source::SurfacePrestrain;
+use super::source::{Factors, SurfacePrestrain, each_part, factors};
 
 /// Prescribed strains ε⁰ of a shell element: the stresses are D (ε − ε⁰) + τD (ε̇ − ε̇⁰).
 ///
@@ -30,32 +29,17 @@ struct Prescribed<S> {
     rates: S,
 }
 
-/// Factors of sources with their rates.
-pub(crate) type Factors = SmallVec<[[f64; 2]; 4]>;
-
 impl<E: StrainedElement> ShellPrestrain<E> {
     /// Creates the term of an element for the sources that cover it.
     pub(super) fn new(element: E, sources: Vec<SurfacePrestrain>) -> Self {
         let law = element.law();
-        let mut parts = Vec::new();
-        for (k, source) in sources.iter().enumerate() {
-            let linear = element.sampled(&|tangents| source.linear(&law, tangents));
-            parts.push(Part { sources: [Some(k), None], strains: linear });
-            for other in 0..=k {
-                let second = (other < k).then(|| &sources[other]);
-                let field = element.sampled(&|tangents| source.quadratic(second, &law, tangents));
-                parts.push(Part { sources: [Some(k), Some(other)], strains: field });
-            }
-        }
+        let (mut parts, all) = (Vec::new(), sources.iter().collect::<Vec<_>>());
+        each_part(&all, &law, |sources, field| parts.push(Part { sources, strains: element.sampled(field) }));
         Self { element, sources: Arc::new(sources), parts }
     }
 
-    fn factors(&self, t: f64, load: f64) -> Factors {
-        self.sources.iter().map(|source| source.factor(t, load)).collect()
-    }
-
     fn prescribed(&self, at: &Local<'_>) -> Prescribed<E::Strains> {
-        self.prescribed_by(&self.factors(at.t, at.load))
+        self.prescribed_by(&factors(&self.sources, at.t, at.load))
     }
 
     fn prescribed_by(&self, factors: &Factors) -> Prescribed<E::Strains> {
@@ -118,7 +102,7 @@ impl<E: StrainedElement> Term for ShellPrestrain<E> {
 
     /// First-order response of the prescribed strains to the increment of the load factor.
     fn stress_stiffness(&self, at: &Local<'_>, by: &Local<'_>, k: &mut LocalMatrix<'_>) {
-        let [mut factors, increments] = [at.load, by.load].map(|load| self.factors(at.t, load));
+        let [mut factors, increments] = [at.load, by.load].map(|load| factors(&self.sources, at.t, load));
         factors.iter_mut().zip(increments).for_each(|(factor, [increment, _])| factor[1] = increment);
         let mut rates = E::zero();
         E::add(&mut rates, -1.0, &self.prescribed_by(&factors).rates);

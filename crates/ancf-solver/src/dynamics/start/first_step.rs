@@ -1,5 +1,5 @@
 use super::initial_conditions::{solve, solve_again};
-use super::rates::{Rates, start_rates};
+use super::rates::{Rates, filter, start_rates};
 use crate::dynamics::scheme::SchemeCoefficients;
 use crate::equations::{EquationsOfMotion, State, Weights};
 use crate::newton::{Newton, SolveError};
@@ -26,16 +26,12 @@ pub(crate) fn start_values<E: EquationsOfMotion>(
 ) -> Result<(), SolveError> {
     let (n, StartValues { auxiliary, damping }) = (s.q.len(), start);
     eom.exchange(s, damping);
-    let Rates { acceleration: mut rate, damping: damping_rate, .. } =
+    let Rates { acceleration: rate, damping: damping_rate, .. } =
         start_rates(eom, newton, s, damping, (scheme, h))?;
     start_damping(eom, scheme, newton, s, (damping, &damping_rate), h)?;
-    rate.resize(newton.z.len(), 0.0);
+    filter(eom, newton, s, &rate, scheme.weights(h))?;
     let Newton { tangent, r, z, .. } = newton;
     let (matrix, factor) = tangent.lend();
-    eom.tangent(s, Weights::MASS, matrix);
-    matrix.multiply(&rate, r);
-    z.copy_from_slice(r);
-    solve(eom, matrix, factor, s, scheme.weights(h), z)?;
     for i in 0..n {
         auxiliary[i] = s.a[i] + scheme.lead() * h * z[i];
     }

@@ -43,19 +43,23 @@ pub(super) fn start_rates<E: EquationsOfMotion>(
         rates(eom, newton, s, damping, h * DIFFERENCE_INTERVAL * REFINEMENT.powi(k))
     };
     let mut last = rates_for(newton, 0)?;
-    let [first, second] = last.differences.each_ref().map(|x| magnitude(eom, newton, s, x));
+    let [first, second] = magnitudes(eom, newton, s, last.differences.each_ref().map(|x| &x[..]));
     if second <= SMOOTH * first {
         return Ok(last);
     }
-    let speed = magnitude(eom, newton, s, &s.v) + h * magnitude(eom, newton, s, &s.a);
-    let mut filtered = filter(eom, scheme, newton, s, &last.acceleration, h)?;
+    let [speed, acceleration] = magnitudes(eom, newton, s, [&s.v, &s.a]);
+    let (speed, n) = (speed + h * acceleration, s.q.len());
+    let filtered_rate = |newton: &mut Newton, rates: &Rates| {
+        filter(eom, newton, s, &rates.acceleration, scheme.weights(h)).map(|()| newton.z[..n].to_vec())
+    };
+    let mut filtered = filtered_rate(newton, &last)?;
     let mut least = f64::INFINITY;
     let mut best = None;
     for k in 1..=REFINEMENTS {
         let next = rates_for(newton, k)?;
-        let other = filter(eom, scheme, newton, s, &next.acceleration, h)?;
+        let other = filtered_rate(newton, &next)?;
         let apart: Vec<f64> = filtered.iter().zip(&other).map(|(x, y)| x - y).collect();
-        let change = h * h * magnitude(eom, newton, s, &apart);
+        let [change] = magnitudes(eom, newton, s, [&apart]).map(|apart| h * h * apart);
         if change <= ACCEPTED * speed {
             return Ok(next);
         }
@@ -74,34 +78,41 @@ pub(super) fn start_rates<E: EquationsOfMotion>(
     }
 }
 
-/// Returns √(xᵀ M x).
-fn magnitude<E: EquationsOfMotion>(eom: &E, newton: &mut Newton, s: &State, x: &[f64]) -> f64 {
+/// Returns √(xᵀ M x) of several vectors.
+fn magnitudes<E: EquationsOfMotion, const N: usize>(
+    eom: &E,
+    newton: &mut Newton,
+    s: &State,
+    vectors: [&[f64]; N],
+) -> [f64; N] {
     let Newton { tangent, r, z, .. } = newton;
     let (matrix, _) = tangent.lend();
     eom.tangent(s, Weights::MASS, matrix);
-    z.fill(0.0);
-    z[..x.len()].copy_from_slice(x);
-    matrix.multiply(z, r);
-    x.iter().zip(&*r).map(|(x, r)| x * r).sum::<f64>().max(0.0).sqrt()
+    vectors.map(|x| {
+        z.fill(0.0);
+        z[..x.len()].copy_from_slice(x);
+        matrix.multiply(z, r);
+        x.iter().zip(&*r).map(|(x, r)| x * r).sum::<f64>().max(0.0).sqrt()
+    })
 }
 
-/// Returns the rate of the acceleration without motions that are faster than the step: [S, Φ_qᵀ; Φ_q, 0] (x, ·) = (M v̈, Φ_q v̈).
-fn filter<E: EquationsOfMotion>(
+/// Computes the rate of the acceleration without motions that are faster than the step into `newton.z`, and its forces (M v̈, Φ_q v̈)
+/// into `newton.r`: [S, Φ_qᵀ; Φ_q, 0] (x, ·) = (M v̈, Φ_q v̈), S with the weights `w`.
+pub(super) fn filter<E: EquationsOfMotion>(
     eom: &E,
-    scheme: SchemeCoefficients,
     newton: &mut Newton,
     s: &State,
     rate: &[f64],
-    h: f64,
-) -> Result<Vec<f64>, SolveError> {
+    w: Weights,
+) -> Result<(), SolveError> {
     let Newton { tangent, r, z, .. } = newton;
     let (matrix, factor) = tangent.lend();
     eom.tangent(s, Weights::MASS, matrix);
-    r.fill(0.0);
-    r[..rate.len()].copy_from_slice(rate);
-    matrix.multiply(r, z);
-    solve(eom, matrix, factor, s, scheme.weights(h), z)?;
-    Ok(z[..rate.len()].to_vec())
+    z.fill(0.0);
+    z[..rate.len()].copy_from_slice(rate);
+    matrix.multiply(z, r);
+    z.copy_from_slice(r);
+    solve(eom, matrix, factor, s, w, z)
 }
 
 /// Returns the state at a time d later on a parabola through a state.

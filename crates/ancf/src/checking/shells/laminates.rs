@@ -1,8 +1,8 @@
 //! Checks of orthotropic materials and of the layers of shells.
 
-use crate::errors::{Finding, finding, is_direction, no_direction, number, quoted};
+use crate::errors::{Finding, finding, number, quoted};
 use crate::model::{
-    IndexedModel, Layup, Material, MaterialLaw, NOWHERE_NORMAL, Orthotropic, Shell, bodies_of,
+    IndexedModel, Layup, Material, MaterialLaw, Orthotropic, Shell, bodies_of, no_projection,
 };
 use crate::schema::unknown;
 
@@ -98,12 +98,6 @@ fn rule_of_thicknesses(path: &str, shell: Layup<'_>) -> Option<Finding> {
 
 /// Checks that the axis has a projection on the surface everywhere.
 pub(super) fn rule_of_axis(path: &str, shell: &Shell) -> Option<Finding> {
-    let axis = shell.fibre_axis?;
-    let key = format!("{path}.fibre_axis");
-    if !is_direction(axis) {
-        return Some(no_direction(key, axis));
-    }
-    shell
-        .normal_along(axis)
-        .map(|found| finding(key, found, NOWHERE_NORMAL).rests_on([format!("{path}.surface")]))
+    let surface = format!("{path}.surface");
+    no_projection(format!("{path}.fibre_axis"), shell.fibre_axis?, |axis| shell.normal_along(axis), surface)
 }

@@ -3,7 +3,7 @@
 use ancf_mechanics::shells::TopologyDefect;
 
 use crate::errors::{Finding, finding, is_direction, no_direction, number, quoted};
-use crate::model::{IndexedModel, MeshGroup, NOWHERE_NORMAL, ShearShell};
+use crate::model::{IndexedModel, MeshGroup, ShearShell, no_projection};
 
 /// Cosine of the angle between a given director and the normal of an element at its node below which the director is rejected.
 const TILTED: f64 = 0.7;
@@ -216,12 +216,7 @@ fn rule_of_axis(model: &IndexedModel<'_>, path: &str, shell: &ShearShell) -> Opt
             Finding { absence: true, ..finding(key, "no axis", expected) }
         });
     };
-    if !is_direction(axis) {
-        return Some(no_direction(key, axis));
-    }
-    shell
-        .normal_along(axis)
-        .map(|found| finding(key, found, NOWHERE_NORMAL).rests_on([format!("{path}.mesh.nodes")]))
+    no_projection(key, axis, |axis| shell.normal_along(axis), format!("{path}.mesh.nodes"))
 }
 
 /// Checks that orthotropic materials have a transverse shear modulus.

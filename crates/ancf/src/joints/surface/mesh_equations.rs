@@ -24,8 +24,19 @@ pub(super) struct MeshSupport<'a> {
 }
 
 /// Kinds of the vectors of a node.
-const POSITION: usize = 0;
-const DIRECTOR: usize = 1;
+pub(super) const POSITION: usize = 0;
+pub(super) const DIRECTOR: usize = 1;
+
+/// Vector of a node along a direction: its position or its director.
+pub(super) fn vector(
+    mesh: &ShearShellMesh,
+    node: usize,
+    kind: usize,
+    direction: Vector3<f64>,
+) -> ConstrainedVector {
+    let (first, reference) = mesh.nodal(node, kind);
+    ConstrainedVector { first, reference, direction, is_position: kind == POSITION }
+}
 
 /// Nodes of a support with the directions of the edge there; none at a single node.
 fn nodes(shell: &ShearShell, at: &At) -> Vec<(usize, Option<Vector3<f64>>)> {
@@ -53,10 +64,7 @@ pub(super) fn add_equations(builder: &mut JointBuilder<'_>, support: MeshSupport
     let plane = shell.plane_of(support.at);
     for (node, along) in nodes {
         let mut add = |kind: usize, direction: Vector3<f64>, name: &'static str| {
-            let (first, reference) = mesh.nodal(node, kind);
-            let is_position = kind == POSITION;
-            let vector = ConstrainedVector { first, reference, direction, is_position };
-            builder.add_linear(vec![vector], Vec::new(), name);
+            builder.add_linear(vec![vector(mesh, node, kind, direction)], Vec::new(), name);
         };
         if support.condition == SupportCondition::Symmetry {
             let Some(normal) = plane else { continue };

@@ -1,11 +1,11 @@
 //! Seams of shear-deformable shells: equal positions, and directors that are equal or keep their angle.
 
-use ancf_mechanics::constraints::ConstrainedVector;
 use ancf_mechanics::kinematics::{BodyVector, Marker};
 use ancf_mechanics::shells::ShearShellMesh;
 use nalgebra::Vector3;
 
 use super::condition::SeamCondition;
+use super::mesh_equations::{DIRECTOR, POSITION, vector};
 use crate::errors::{Finding, finding, number};
 use crate::joints::parts::JointBuilder;
 use crate::model::{EdgeName, ShearShell};
@@ -85,13 +85,13 @@ pub(super) fn add_equations(builder: &mut JointBuilder<'_>, edges: [&EdgeName; 2
         return;
     };
     for [own, second] in pairs([(a, edges[0]), (b, edges[1])]).unwrap_or_default() {
-        equate(builder, [(mesh, own), (other, second)], 0, "position");
+        equate(builder, [(mesh, own), (other, second)], POSITION, "position");
         if condition == SeamCondition::Hinged {
             continue;
         }
-        let vectors = [(mesh, own), (other, second)].map(|(mesh, node)| mesh.nodal(node, 1));
+        let vectors = [(mesh, own), (other, second)].map(|(mesh, node)| mesh.nodal(node, DIRECTOR));
         if vectors[0].1.angle(&vectors[1].1) <= EQUAL {
-            equate(builder, [(mesh, own), (other, second)], 1, "director");
+            equate(builder, [(mesh, own), (other, second)], DIRECTOR, "director");
             continue;
         }
         let [d, e] = vectors.map(|(first, director)| BodyVector::from(Marker::new([(first, 1.0)], director)));
@@ -99,7 +99,7 @@ pub(super) fn add_equations(builder: &mut JointBuilder<'_>, edges: [&EdgeName; 2
     }
 }
 
-/// Equates the displacements of the positions (`kind` = 0) or of the directors (1) of two nodes.
+/// Equates the displacements of the positions or of the directors of two nodes.
 fn equate(
     builder: &mut JointBuilder<'_>,
     nodes: [(&ShearShellMesh, usize); 2],
@@ -107,10 +107,8 @@ fn equate(
     name: &'static str,
 ) {
     for axis in [Vector3::x(), Vector3::y(), Vector3::z()] {
-        let [own, other] = [(nodes[0], axis), (nodes[1], -axis)].map(|((mesh, node), direction)| {
-            let (first, reference) = mesh.nodal(node, kind);
-            ConstrainedVector { first, reference, direction, is_position: kind == 0 }
-        });
+        let [own, other] = [(nodes[0], axis), (nodes[1], -axis)]
+            .map(|((mesh, node), direction)| vector(mesh, node, kind, direction));
         builder.add_linear(vec![own], vec![other], name);
     }
 }

@@ -55,19 +55,28 @@ pub(crate) fn named<'a>(what: &str, names: impl Iterator<Item = &'a str>) -> Str
     }
 }
 
-/// Expected direction of an axis that is projected on a shell.
-pub(crate) const NOWHERE_NORMAL: &str = "an axis that is nowhere normal to the surface";
-
 /// Finding for an axis without a projection on a shell. `key` is the path of the axis.
 pub(crate) fn axis_on_shell(key: String, axis: [f64; 3], body: Option<(String, &Body)>) -> Option<Finding> {
-    if !is_direction(axis) {
-        return Some(no_direction(key, axis));
-    }
-    let (owner, body) = body?;
-    let found = match body {
+    let (owner, body) = body.unzip();
+    let normal_along = |axis| match body? {
         Body::Shell(shell) => shell.normal_along(axis),
         Body::ShearShell(shell) => shell.normal_along(axis),
         _ => None,
     };
-    Some(finding(key, found?, NOWHERE_NORMAL).rests_on([owner]))
+    no_projection(key, axis, normal_along, owner.unwrap_or_default())
+}
+
+/// Finding for an axis without a projection on a surface. `normal_along` describes a place whose normal has the direction of the axis, and
+/// `rests_on` is the path of the surface.
+pub(crate) fn no_projection(
+    key: String,
+    axis: [f64; 3],
+    normal_along: impl FnOnce([f64; 3]) -> Option<String>,
+    rests_on: String,
+) -> Option<Finding> {
+    if !is_direction(axis) {
+        return Some(no_direction(key, axis));
+    }
+    let expected = "an axis that is nowhere normal to the surface";
+    normal_along(axis).map(|found| finding(key, found, expected).rests_on([rests_on]))
 }

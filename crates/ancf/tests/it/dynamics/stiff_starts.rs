@@ -1,7 +1,9 @@
 //! Starts of stiff bodies with spin and without strain.
 
-use ancf::record::Series;
-use ancf::{Model, simulate};
+use ancf::Model;
+
+use crate::common::models::parse;
+use crate::common::solutions::Run;
 
 /// Free strip of 0.2 × 0.1 × 0.004 in the plane of x and y that spins about y by 12 radians per second.
 fn spinning(body: &str, young: f64, keys: &str, step: f64) -> Model {
@@ -12,7 +14,7 @@ fn spinning(body: &str, young: f64, keys: &str, step: f64) -> Model {
          [[bodies]]\nname = \"s\"\nmaterial = \"m\"\n{body}\nmotion = {{ spin = [0, 12, 0], about = [0, 0, 0] }}\n\
          [output]\nmomentum = true\n[analysis]\nkind = \"dynamics\"\nduration = 0.1\nstep = {step}\n{keys}\n"
     );
-    Model::parse(&text).unwrap_or_else(|error| panic!("{error}\n{text}"))
+    parse(&text)
 }
 
 const BODIES: [&str; 4] = [
@@ -26,10 +28,8 @@ const BODIES: [&str; 4] = [
 
 /// Angular momentum about y after the first step and at the end, relative to that at the start.
 fn kept(model: &Model) -> [f64; 2] {
-    let mut series = Series::new();
-    assert!(simulate(model, &mut series).unwrap().outcome.is_finished());
-    let momentum =
-        series.column("s.ly").unwrap_or_else(|| panic!("{:?}", series.names().collect::<Vec<_>>()));
+    let run = Run::of(model);
+    let momentum = run.column("s.ly");
     [momentum[1] / momentum[0], momentum[momentum.len() - 1] / momentum[0]]
 }
 

@@ -2,22 +2,15 @@
 
 use std::fmt::Write;
 
-use ancf::record::Series;
-use ancf::{Model, simulate};
+use ancf::Model;
 
 use crate::common::assertions::assert_relative;
+use crate::common::models::parse;
+use crate::common::solutions::Run;
 
-fn run(text: &str) -> (Series, Vec<String>) {
-    let model = Model::parse(text).unwrap_or_else(|error| panic!("{error}\n{text}"));
-    let warnings = model.diagnose().unwrap().warnings;
-    let mut series = Series::new();
-    let summary = simulate(&model, &mut series).unwrap();
-    assert!(summary.outcome.is_finished(), "{:?}", summary.outcome);
-    (series, warnings)
-}
-
-fn last(series: &Series, name: &str) -> f64 {
-    *series.column(name).unwrap_or_else(|| panic!("no column {name}")).last().unwrap()
+fn run(text: &str) -> (Run, Vec<String>) {
+    let model = parse(text);
+    (Run::of(&model), model.diagnose().unwrap().warnings)
 }
 
 /// Parallelogram with the edges `u0`, `u1`, `v0`, `v1`, the line `middle` along u, and the corner `tip` at u = 1, v = 0.
@@ -86,9 +79,9 @@ fn a_rigid_seam_of_equal_directors_joins_meshes() {
     let joined = material(0.3) + &halves + &clamped("b", "u0") + &seam(["b", "u1"], ["a", "u0"], "rigid");
     let (two, warnings) = run(&(joined + &load("a")));
     assert!(warnings.is_empty(), "{warnings:?}");
-    assert!(last(&one, "a.z") > 0.5, "{}", last(&one, "a.z"));
+    assert!(one.last("a.z") > 0.5, "{}", one.last("a.z"));
     for axis in ["x", "y", "z"] {
-        let [own, other] = [&one, &two].map(|series| last(series, &format!("a.{axis}")));
+        let [own, other] = [&one, &two].map(|series| series.last(&format!("a.{axis}")));
         assert!((own - other).abs() < 1e-9, "{axis}: {own} and {other}");
     }
 }
@@ -111,7 +104,7 @@ fn a_rigid_seam_keeps_the_angle_of_a_kink() {
     let rigidity = 1.2e7 * width * 1e-6 / 12.0;
     let exact = force * height * height * (length + height / 3.0) / rigidity;
     assert!(exact < 0.005);
-    assert_relative("end", last(&series, "b.x") - length, exact, 1e-2);
+    assert_relative("end", series.last("b.x") - length, exact, 1e-2);
     let hinged = Model::parse(&text.replace("\"rigid\"", "\"hinged\"")).unwrap();
     let free = hinged.diagnose().unwrap();
     assert!(format!("{free:?}").contains("free"), "{free:?}");
@@ -142,7 +135,7 @@ fn a_tube_of_four_panels_twists_as_a_closed_section() {
         text += &seam([name, "v1"], [next, "v0"], "rigid");
     }
     let (series, _) = run(&(text + &probe("a") + STATICS));
-    let (y, z) = (last(&series, "a.y"), last(&series, "a.z"));
+    let (y, z) = (series.last("a.y"), series.last("a.z"));
     let twist = z.atan2(y) - (-h).atan2(-h);
     let shear = 1.2e7 / 2.6;
     assert_relative("twist", twist, torque * length / (shear * side.powi(3) * 0.01), 2e-2);
@@ -168,7 +161,7 @@ fn a_rib_stiffens_a_plate() {
     let inertia = areas[0] * (centre * centre + thickness.powi(2) / 12.0)
         + areas[1] * ((0.5 * height + centre).powi(2) + height.powi(2) / 12.0);
     let exact = force * length.powi(3) / (3.0 * 1.2e7 * inertia);
-    assert_relative("end", last(&series, "plate.z"), exact, 2e-2);
+    assert_relative("end", series.last("plate.z"), exact, 2e-2);
 }
 
 /// Edges without common nodes, slight kinks and shells of both kinds are errors with their place.

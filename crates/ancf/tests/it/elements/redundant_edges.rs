@@ -2,13 +2,12 @@
 
 use std::f64::consts::FRAC_PI_4;
 
-use ancf::record::Series;
-use ancf::{Model, simulate};
-
 use crate::common::assertions::assert_relative;
+use crate::common::models::parse;
+use crate::common::solutions::Run;
 
 /// Quarter of a tape between planes of symmetry, bent by a body on a hinge that slides along x.
-fn bent(angle: f64, guide: &str) -> Series {
+fn bent(angle: f64, guide: &str) -> Run {
     let (radius, height) = (0.02, 0.018);
     let [y, z] = [radius * FRAC_PI_4.sin(), radius * FRAC_PI_4.cos()];
     let body = |name: &str| {
@@ -37,15 +36,7 @@ fn bent(angle: f64, guide: &str) -> Series {
         symmetry("middle", "v_start"),
         symmetry("crown", "u_end"),
     );
-    let model = Model::parse(&text).unwrap_or_else(|error| panic!("{error}\n{text}"));
-    let mut series = Series::new();
-    let summary = simulate(&model, &mut series).unwrap();
-    assert!(summary.outcome.is_finished(), "{:?}", summary.outcome);
-    series
-}
-
-fn last(series: &Series, name: &str) -> f64 {
-    *series.column(name).unwrap_or_else(|| panic!("no column {name}")).last().unwrap()
+    Run::of(&parse(&text))
 }
 
 /// Redundant joints do not change the equilibrium. Before, rounding errors of the tangent gave the scale of the constraint forces of a
@@ -59,10 +50,10 @@ fn redundant_joints_do_not_change_the_equilibrium() {
             "kind = \"generic\"\ndisplacements = [\"free\", \"free\", \"locked\"]\nrotations = [\"free\", \"locked\", \"free\"]",
         );
         for series in [&redundant, &least] {
-            assert_relative("angle", last(series, "hinge.angle"), angle, 1e-9);
+            assert_relative("angle", series.last("hinge.angle"), angle, 1e-9);
         }
         for name in ["hinge.my", "strain"] {
-            assert_relative(name, last(&redundant, name), last(&least, name), 1e-6);
+            assert_relative(name, redundant.last(name), least.last(name), 1e-6);
         }
     }
 }

@@ -2,14 +2,11 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use ancf::record::Series;
-use ancf::{Model, simulate};
+use ancf::Model;
 
 use crate::common::assertions::assert_relative;
-
-fn parse(text: &str) -> Model {
-    Model::parse(text).unwrap_or_else(|error| panic!("{error}\n{text}"))
-}
+use crate::common::models::parse;
+use crate::common::solutions::Run;
 
 fn shell(surface: &str, elements: [u32; 2]) -> String {
     format!(
@@ -21,14 +18,12 @@ fn shell(surface: &str, elements: [u32; 2]) -> String {
 const CLAMPED: &str = "[[joints]]\nkind = \"support\"\nname = \"root\"\na = { body = \"s\", at = { edge = \"v_start\" } }\n\
                        condition = \"clamped\"\n";
 
-fn solved(surface: &str, elements: [u32; 2]) -> Series {
+fn solved(surface: &str, elements: [u32; 2]) -> Run {
     let text = shell(surface, elements)
         + CLAMPED
         + "[[loads]]\nkind = \"edge_force\"\nbody = \"s\"\nedge = \"v_end\"\nforce = [0.3, 0.2, 1]\n\
            [[probes]]\nname = \"p\"\non = { body = \"s\", at = [0.5, 1] }\n[analysis]\nkind = \"statics\"\n";
-    let mut series = Series::new();
-    assert!(simulate(&parse(&text), &mut series).unwrap().outcome.is_finished());
-    series
+    Run::of(&parse(&text))
 }
 
 fn arc(radius: f64, count: usize, height: f64) -> Vec<[f64; 3]> {
@@ -47,10 +42,7 @@ fn a_loft_through_arcs_is_a_cylinder() {
     let errors = [4, 8].map(|count| {
         let sections = [arc(1.0, count, 0.0), arc(1.0, count, 0.4), arc(1.0, count, 1.0)];
         let series = solved(&format!("kind = \"lofted\", sections = {sections:?}"), [4, 4]);
-        let moved = |series: &Series, axis: &str| {
-            let column = series.column(&format!("p.{axis}")).unwrap();
-            column[column.len() - 1]
-        };
+        let moved = |run: &Run, axis: &str| run.last(&format!("p.{axis}"));
         ["x", "y", "z"]
             .map(|axis| (moved(&series, axis) - moved(&exact, axis)).abs())
             .into_iter()
@@ -92,10 +84,9 @@ fn closed_curves_are_smooth() {
         + CLAMPED
         + "[[joints]]\nkind = \"seam\"\nname = \"seam\"\na = { body = \"s\", at = { edge = \"u_start\" } }\n\
            b = { body = \"s\", at = { edge = \"u_end\" } }\n[analysis]\nkind = \"modes\"\ncount = 2\n";
-    let mut series = Series::new();
-    assert!(simulate(&parse(&text), &mut series).unwrap().outcome.is_finished());
+    let run = Run::of(&parse(&text));
     // Modes of a ring are pairs.
-    let frequencies = series.column("frequency").unwrap();
+    let frequencies = run.column("frequency");
     assert_relative("pair", frequencies[0], frequencies[1], 1e-3);
 }
 

@@ -3,28 +3,14 @@
 use std::f64::consts::{PI, TAU};
 use std::fmt::Write;
 
-use ancf::record::Series;
-use ancf::{Model, Scales, simulate};
+use ancf::{Model, Scales};
 
 use crate::common::assertions::assert_relative;
+use crate::common::models::parse;
+use crate::common::solutions::Run;
 
-fn parse(text: &str) -> Model {
-    Model::parse(text).unwrap_or_else(|error| panic!("{error}\n{text}"))
-}
-
-fn run_model(model: &Model) -> Series {
-    let mut series = Series::new();
-    let summary = simulate(model, &mut series).unwrap();
-    assert!(summary.outcome.is_finished(), "{:?}", summary.outcome);
-    series
-}
-
-fn run(text: &str) -> Series {
-    run_model(&parse(text))
-}
-
-fn last(series: &Series, name: &str) -> f64 {
-    *series.column(name).unwrap_or_else(|| panic!("no column {name}")).last().unwrap()
+fn run(text: &str) -> Run {
+    Run::of(&parse(text))
 }
 
 const KINDS: [&str; 2] = ["shell", "shear_shell"];
@@ -129,11 +115,11 @@ fn a_free_plate_takes_the_prescribed_strain() {
             load("strain = [0.02, 0.02, 0]\naxis = [0, 1, 0]")
         );
         let series = run(&text);
-        assert_relative(kind, last(&series, "corner.x"), 1.05, 1e-10);
-        assert_relative(kind, last(&series, "corner.y"), 1.03, 1e-10);
-        assert!(last(&series, "strain") < 1e-12, "{kind}: {:e}", last(&series, "strain"));
+        assert_relative(kind, series.last("corner.x"), 1.05, 1e-10);
+        assert_relative(kind, series.last("corner.y"), 1.03, 1e-10);
+        assert!(series.last("strain") < 1e-12, "{kind}: {:e}", series.last("strain"));
         for name in ["nuu", "nvv", "nuv", "muu"] {
-            let n = last(&series, &format!("middle.{name}"));
+            let n = series.last(&format!("middle.{name}"));
             assert!(n.abs() < 1e-5, "{kind}: {name} = {n:e}");
         }
     }
@@ -154,10 +140,10 @@ fn a_held_plate_carries_the_stress() {
             );
             let series = run(&text);
             for name in ["middle.nuu", "middle.nvv", "corner.nuu"] {
-                assert_relative(name, last(&series, name), exact, 1e-9);
+                assert_relative(name, series.last(name), exact, 1e-9);
             }
             let energy = exact * exact * (1.0 - 0.3) / (2e7 * 0.02);
-            assert_relative(kind, last(&series, "strain"), energy, 1e-9);
+            assert_relative(kind, series.last("strain"), energy, 1e-9);
         }
     }
 }
@@ -179,9 +165,9 @@ fn a_tension_is_exact_in_a_laminate() {
         );
         let series = run(&text);
         for (name, exact) in [("nuu", 100.0), ("nvv", 500.0), ("nuv", -50.0)] {
-            assert_relative(name, last(&series, &format!("middle.{name}")), exact, 1e-7);
+            assert_relative(name, series.last(&format!("middle.{name}")), exact, 1e-7);
         }
-        assert!(last(&series, "middle.muu").abs() < 1e-6 * 500.0 * 0.02, "{kind}");
+        assert!(series.last("middle.muu").abs() < 1e-6 * 500.0 * 0.02, "{kind}");
     }
 }
 
@@ -200,17 +186,13 @@ fn a_curvature_rolls_a_strip_up() {
         // Half of a circle above the plate: the lower side is longer.
         let series = run(&text);
         assert!(
-            (last(&series, "corner.z") - 2.0 / PI).abs() < 3.0 * tolerance,
+            (series.last("corner.z") - 2.0 / PI).abs() < 3.0 * tolerance,
             "{kind}: {}",
-            last(&series, "corner.z") * PI
+            series.last("corner.z") * PI
         );
-        assert!(last(&series, "corner.x").abs() < tolerance, "{kind}: {}", last(&series, "corner.x"));
+        assert!(series.last("corner.x").abs() < tolerance, "{kind}: {}", series.last("corner.x"));
         let energy = 0.5 * 2e7 * 0.1 * 1e-6 / 12.0 * (0.5 * kappa).powi(2);
-        assert!(
-            last(&series, "strain") < tolerance * energy,
-            "{kind}: {:e}",
-            last(&series, "strain") / energy
-        );
+        assert!(series.last("strain") < tolerance * energy, "{kind}: {:e}", series.last("strain") / energy);
     }
 }
 
@@ -225,7 +207,7 @@ fn a_heated_plate_buckles() {
             all_edges("\"hinged\""),
             load(&format!("strain = [{0:e}, {0:e}, 0]", critical))
         );
-        assert_relative(kind, last(&run(&text), "factor"), 1.0, tolerance);
+        assert_relative(kind, run(&text).last("factor"), 1.0, tolerance);
     }
 }
 
@@ -244,7 +226,7 @@ fn a_stretched_membrane_vibrates() {
         let unstretched = parse(&text.replace("\"equilibrium\"", "\"reference\""));
         let warnings = unstretched.diagnose().unwrap().warnings;
         assert!(warnings.iter().any(|text| text.contains("prestrain of `s`")), "{warnings:?}");
-        assert_relative(kind, last(&run(&text), "frequency"), exact, tolerance);
+        assert_relative(kind, run(&text).last("frequency"), exact, tolerance);
     }
 }
 
@@ -268,8 +250,8 @@ fn the_energy_balance_closes() {
     for kind in KINDS {
         for scheme in ["", "scheme = \"energy\""] {
             let errors = [1e-3, 5e-4].map(|step| {
-                let series = run_model(&heated(kind, scheme, step));
-                let part = |name: &str| last(&series, name);
+                let series = Run::of(&heated(kind, scheme, step));
+                let part = |name: &str| series.last(name);
                 let stored = part("kinetic") + part("strain") + part("potential");
                 assert!(part("work").abs() > 1e-3, "{kind}: work {}", part("work"));
                 (stored - part("work") + part("dissipated")).abs() / part("work").abs()
@@ -294,8 +276,8 @@ fn results_do_not_depend_on_units() {
             .loads,
         );
         let scales = Scales { length: 0.037, time: 13.0, force: 2.9e5 };
-        let (own, other) = (run_model(&model), run_model(&model.scaled(&scales)));
-        let (a, b) = (last(&own, "corner.z"), last(&other, "corner.z") * scales.length);
+        let (own, other) = (Run::of(&model), Run::of(&model.scaled(&scales)));
+        let (a, b) = (own.last("corner.z"), other.last("corner.z") * scales.length);
         assert!((a - b).abs() < 1e-9, "{kind}: {a} and {b}");
     }
 }
@@ -312,8 +294,8 @@ fn a_region_is_prestrained_alone() {
         load("strain = [0.1, 0, 0]\nregion = \"left\"")
     );
     let series = run(&text);
-    assert_relative("free end", last(&series, "corner.x"), 1.05, 1e-9);
-    assert_relative("middle", last(&series, "middle.x"), 0.55, 1e-9);
+    assert_relative("free end", series.last("corner.x"), 1.05, 1e-9);
+    assert_relative("middle", series.last("middle.x"), 0.55, 1e-9);
 }
 
 /// Errors name their key and what is expected.

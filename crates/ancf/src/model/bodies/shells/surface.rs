@@ -106,10 +106,9 @@ impl ShellSurface {
     pub(crate) fn geometry(&self) -> SurfaceGeometry<'_> {
         let spline = match self {
             Self::Lofted { sections } => {
-                let origin =
-                    sections.first().and_then(|section| section.first()).copied().unwrap_or_default();
+                let origin = self.origin();
                 let row = |points: &Vec<[f64; 3]>| {
-                    points.iter().map(|point| Vector3::from(*point) - Vector3::from(origin)).collect()
+                    points.iter().map(|point| Vector3::from(*point) - origin).collect()
                 };
                 SplineSurface::new(&sections.iter().map(row).collect::<Vec<_>>())
             }
@@ -117,6 +116,19 @@ impl ShellSurface {
             _ => None,
         };
         SurfaceGeometry { surface: self, spline }
+    }
+
+    /// Point to which positions are relative.
+    fn origin(&self) -> Vector3<f64> {
+        match self {
+            Self::Flat { corner, .. } => Vector3::from(*corner),
+            Self::Revolved { center, .. } | Self::Sphere { center, .. } => Vector3::from(*center),
+            Self::Twisted { from, .. } => Vector3::from(*from),
+            Self::Lofted { sections } => Vector3::from(
+                sections.first().and_then(|section| section.first()).copied().unwrap_or_default(),
+            ),
+            Self::Swept { profile, .. } => Vector3::from(profile.first().copied().unwrap_or_default()),
+        }
     }
 }
 
@@ -131,19 +143,7 @@ pub(crate) struct SurfaceGeometry<'a> {
 impl SurfaceGeometry<'_> {
     /// Point to which positions are relative.
     pub(crate) fn origin(&self) -> Vector3<f64> {
-        match self.surface {
-            ShellSurface::Flat { corner, .. } => Vector3::from(*corner),
-            ShellSurface::Revolved { center, .. } | ShellSurface::Sphere { center, .. } => {
-                Vector3::from(*center)
-            }
-            ShellSurface::Twisted { from, .. } => Vector3::from(*from),
-            ShellSurface::Lofted { sections } => Vector3::from(
-                sections.first().and_then(|section| section.first()).copied().unwrap_or_default(),
-            ),
-            ShellSurface::Swept { profile, .. } => {
-                Vector3::from(profile.first().copied().unwrap_or_default())
-            }
-        }
+        self.surface.origin()
     }
 
     /// Point of the surface.

@@ -140,6 +140,7 @@ fn without_body(model: &mut Model, name: &str) {
         Load::SurfacePrestrain(prestrain) => prestrain.body != name,
         Load::SurfaceForce(surface) => surface.body != name,
         Load::SurfacePressure(surface) => surface.body != name,
+        Load::Gas(gas) => !gas.surfaces.iter().any(|surface| surface.body == name),
         Load::SurfaceFluid(surface) => surface.body != name,
         Load::Fluid(fluid) => !fluid.bodies.iter().any(|body| body == name),
         other => other.on().is_none_or(|place| place.body != name),

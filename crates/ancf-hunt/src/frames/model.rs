@@ -262,6 +262,7 @@ impl Frame {
             }
             Load::SurfaceForce(load) => load.force = self.polar(load.force),
             Load::SurfacePressure(_) => {}
+            Load::Gas(load) => load.apex = load.apex.map(|apex| self.point(apex)),
             Load::EdgeForce(_) | Load::EdgeMoment(_) => return None,
             Load::External(_) | Load::Custom(_) => return None,
         }

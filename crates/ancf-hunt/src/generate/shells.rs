@@ -21,18 +21,28 @@ pub(super) fn add(draft: &mut Draft) {
     let is_on_ground = roots.is_empty() || !draft.is_free && draft.random.chance(0.3);
     let root = (!is_on_ground).then(|| roots[draft.random.index(roots.len())].clone());
     let start = root.as_ref().map_or_else(Vector3::zeros, |root| root.point);
-    let (spots, thickness) = patch(draft, start);
+    let Patch { spots, thickness, inside } = patch(draft, start);
     if root.is_some() || !draft.is_free {
         joints::attach(draft, &spots[0], root.as_ref());
     }
     pressure(draft, &spots[0].body);
     prestrain(draft, &spots[0].body, thickness);
+    gas(draft, &spots[0].body, inside);
     draft.spots.extend(spots);
     std::mem::swap(&mut draft.random, &mut own);
 }
 
-/// Adds a shell whose first node is at a point. Returns its first and its last node, and its thickness.
-fn patch(draft: &mut Draft, start: Vector3<f64>) -> (Vec<Spot>, f64) {
+/// Shell of a model.
+struct Patch {
+    /// First and last node.
+    spots: Vec<Spot>,
+    thickness: f64,
+    /// Point below the middle, against the normal.
+    inside: Vector3<f64>,
+}
+
+/// Adds a shell whose first node is at a point.
+fn patch(draft: &mut Draft, start: Vector3<f64>) -> Patch {
     let name = format!("b{}", draft.bodies.len());
     let [n, m] = [1 + draft.random.index(3), 1 + draft.random.index(2)];
     let sides = [0.6, 0.4].map(|size| size * draft.sizes.length * draft.random.within(0.5, 1.0));
@@ -73,7 +83,8 @@ fn patch(draft: &mut Draft, start: Vector3<f64>) -> (Vec<Spot>, f64) {
         point: nodes[node],
         is_end: true,
     };
-    (vec![spot(0), spot(nodes.len() - 1)], thickness)
+    let inside = start + turn * Vector3::new(0.5 * sides[0], 0.4 * sides[1], -0.6 * sides[0]);
+    Patch { spots: vec![spot(0), spot(nodes.len() - 1)], thickness, inside }
 }
 
 /// Adds prescribed strains and curvatures in some cases. They have random numbers of their own, as shells.
@@ -93,6 +104,23 @@ fn prestrain(draft: &mut Draft, body: &str, thickness: f64) {
         load["axis"] = list(&draft.random.direction());
     }
     draft.loads.push(load);
+    std::mem::swap(&mut draft.random, &mut own);
+}
+
+/// Adds a gas between the shell and a point in some cases. It has random numbers of its own.
+fn gas(draft: &mut Draft, body: &str, apex: Vector3<f64>) {
+    let mut own = Random::new(draft.random.clone().bits() ^ STREAM.rotate_left(7));
+    if draft.is_free || !own.chance(0.3) {
+        return;
+    }
+    std::mem::swap(&mut draft.random, &mut own);
+    let unit = draft.sizes.force() / draft.sizes.length.powi(2);
+    let [pressure, ambient] = [0.0; 2].map(|_: f64| rounded(draft.random.spread(0.01, 0.3) * unit));
+    let exponent = draft.random.choose(&[0.0, 1.0, 1.4]);
+    draft.loads.push(json!({
+        "kind": "gas", "name": format!("gas_{body}"), "surfaces": [{ "body": body }], "pressure": pressure, "ambient": ambient,
+        "exponent": exponent, "apex": list(&apex),
+    }));
     std::mem::swap(&mut draft.random, &mut own);
 }
 

@@ -128,12 +128,26 @@ impl ShellMesh {
 
     /// Returns the nodal vectors of an element in a state, in local order.
     pub fn element_vectors(&self, s: &State, element: usize) -> [NodalVector; VECTORS] {
-        Self::vectors_of(self.divisions, element).map(|i| {
-            let first = self.first + 3 * i;
-            let reference = self.reference[i] + if i % 4 == 0 { self.origin } else { Vector3::zeros() };
+        let vectors = self.patch_vectors(element);
+        std::array::from_fn(|a| {
+            let (first, reference) = vectors[a];
             let value = reference + Vector3::from_column_slice(&s.q[first..first + 3]);
-            NodalVector { first, kind: NODE[i % 4], value }
+            NodalVector { first, kind: NODE[a % 4], value }
         })
+    }
+
+    /// Returns the first coordinate and the reference value of each nodal vector of an element.
+    pub(super) fn patch_vectors(&self, element: usize) -> [(usize, Vector3<f64>); VECTORS] {
+        Self::vectors_of(self.divisions, element).map(|i| {
+            let origin = if i % 4 == 0 { self.origin } else { Vector3::zeros() };
+            (self.first + 3 * i, self.reference[i] + origin)
+        })
+    }
+
+    /// Returns the first coordinate and the reference position of the corners of an element, counter-clockwise about its normal.
+    pub fn corners(&self, element: usize) -> [(usize, Vector3<f64>); 4] {
+        let vectors = self.patch_vectors(element);
+        [0, 4, 12, 8].map(|a| vectors[a])
     }
 
     /// Returns the reference values of the nodal vectors of an element, positions relative to its first node, and their displacements.

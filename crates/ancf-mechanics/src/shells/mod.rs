@@ -21,12 +21,12 @@ pub use element_surface::ElementSurface;
 pub use hermite::VECTORS;
 pub use laminates::{Laminate, Ply, PlyElasticity, ShellSection, SurfaceMaterial, ThickSection};
 pub use mesh::{ShellEdge, ShellMesh};
-pub use pressure::SurfacePressure;
+pub use pressure::{ElementPatch, EnclosedVolume, GasPressure, PatchMeasures, SurfacePatch};
 pub use prestrain::SurfacePrestrain;
 pub use profile::{ShellMedium, ShellProfile};
 pub use shear::{
     Face, MeshTopology, NearestPoint, ShearMedium, ShearShellMesh, ShearStressField, ShellPlace,
-    SurfacePlace, TopologyDefect, directors, face_pressure, stress_axis,
+    SurfacePlace, TopologyDefect, directors, stress_axis,
 };
 pub use stress::StressField;
 pub use surface_stress::{LAYERS, SurfaceStress};

@@ -304,10 +304,9 @@ pub fn all_constraint_rows<'a>(
     let mut rows = vec![SparseVector::new(); multipliers];
     for term in terms {
         for (multiplier, row) in term.multipliers().zip(constraint_rows(term, s)) {
-            // The terms of a sliding joint share multipliers, and one of these terms is active.
-            if rows[multiplier].is_empty() {
-                rows[multiplier] = row;
-            }
+            // Terms can share multipliers: those of a sliding joint, of which one is active, and the elements around a gas.
+            let sum: &mut SparseVector = &mut rows[multiplier];
+            row.into_iter().for_each(|(c, entry)| *sum.entry(c).or_default() += entry);
         }
     }
     rows

@@ -11,7 +11,7 @@ use nalgebra::Vector3;
 
 use super::inputs::{Inputs, NoNumber};
 use super::loads::InnerLoads;
-use super::redundant::Redundant;
+use super::redundancy::Redundant;
 use crate::errors::short;
 use crate::joints::{GapClosure, JointEquations, RecordedCoordinate};
 use crate::model::{Output, Quantity};
@@ -82,15 +82,20 @@ impl Assembly {
 
     /// Names of the joints.
     pub fn joints(&self) -> impl Iterator<Item = &str> {
-        self.joints.iter().map(|joint| joint.name.as_str())
+        self.with_reactions().map(|joint| joint.name.as_str())
     }
 
     /// Reaction of each joint in a state: force and moment on its end `a`.
     pub fn reactions<'a>(&'a self, s: &'a State) -> impl Iterator<Item = Wrench> + 'a {
-        self.joints.iter().map(|joint| joint.reaction(s))
+        self.with_reactions().map(|joint| joint.reaction(s))
     }
 
-    /// Recorded coordinates of the joints, with the names of the joints.
+    /// Joints, without the gases.
+    fn with_reactions(&self) -> impl Iterator<Item = &JointEquations> {
+        self.joints.iter().filter(|joint| joint.is_joint())
+    }
+
+    /// Recorded coordinates of the joints and gases, with their names.
     pub fn joint_coordinates(&self) -> impl Iterator<Item = (&str, &RecordedCoordinate)> {
         self.joints
             .iter()
@@ -163,7 +168,7 @@ impl Assembly {
         }
         for joint in &self.joints {
             if equation < first + joint.coordinates.len() {
-                return format!("joint `{}`, its coordinate", joint.name);
+                return joint.owner_of_coordinate();
             }
             first += joint.coordinates.len();
         }
@@ -175,7 +180,7 @@ impl Assembly {
         }
         for joint in &self.joints {
             if equation < first + joint.multipliers.len() {
-                return format!("joint `{}`, {}", joint.name, joint.names()[equation - first]);
+                return joint.owner_of_multiplier(equation - first);
             }
             first += joint.multipliers.len();
         }

@@ -28,6 +28,8 @@ fn signal_of_joint(recorded: &RecordedCoordinate, column: &str, scales: Scales) 
         (Source::State { start, time, .. }, Some(own)) => {
             return Some(Signal::rate(SignalSource::Coordinate(own), time.recip(), *start));
         }
+        (Source::Gas(_), _) if is_rate => return None,
+        (Source::Gas(gas), Some(own)) => (SignalSource::Coordinate(own), gas.reference_volume()),
         (Source::Position(start), Some(own)) => (SignalSource::Coordinate(own), *start),
         (Source::Angle { .. } | Source::Projection(_) | Source::Displacement(_), Some(own)) => {
             (SignalSource::Coordinate(own), 0.0)
@@ -69,7 +71,7 @@ impl IndexedModel<'_> {
         of_bodies.chain(of_joints).fold([0, 0], |[n, m], [c, l]| [n + c, m + l])
     }
 
-    /// Equations of the joints. Coordinates and multipliers are numbered after those of the bodies.
+    /// Equations of the joints, then of the gases. Coordinates and multipliers are numbered after those of the bodies.
     ///
     /// Laws with wrong signals are left out: [`checked_joint_equations`](Self::checked_joint_equations) returns their errors.
     pub(crate) fn joint_equations(
@@ -109,7 +111,9 @@ impl IndexedModel<'_> {
             equations.with_gap(self.gap(joint))
         });
         let mut equations: Vec<_> = equations.collect();
-        let found = (0..equations.len()).map(|number| self.state_forces(bodies, &equations, number));
+        let after = Numbering { coordinate, multiplier, time_mode, energy };
+        equations.extend(self.gas_equations(bodies, after));
+        let found = (0..self.joints.len()).map(|number| self.state_forces(bodies, &equations, number));
         let found: Vec<_> = found.collect();
         let mut errors = Vec::new();
         for (own, (terms, unknown)) in equations.iter_mut().zip(found) {

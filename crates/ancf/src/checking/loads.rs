@@ -1,7 +1,7 @@
 //! Checks of loads beyond the schema, except those of functions of time.
 
 use super::findings::unknown_body;
-use crate::errors::{Finding, finding, quoted};
+use crate::errors::{Finding, finding, number, quoted};
 use crate::model::{About, Analysis, IndexedModel, Load, Probe, Quantity, loads_of};
 
 /// Checks that named bodies exist, and the checks of the kinds of loads.
@@ -40,6 +40,30 @@ pub(crate) fn fluids(model: &IndexedModel<'_>) -> Vec<Finding> {
                 findings.push(error.rests_on(["loads".into()]));
             }
             wet.push((name, region));
+        }
+    }
+    findings
+}
+
+/// Number of instants of a motion at which amounts of gas are evaluated.
+const INSTANTS: u32 = 128;
+
+/// Rejects negative amounts of gas, and gases in models with gaps that are closed first.
+pub(crate) fn gases(model: &IndexedModel<'_>) -> Vec<Finding> {
+    let mut findings = Vec::new();
+    for (path, load) in loads_of(model) {
+        let Load::Gas(gas) = load else { continue };
+        if model.assemble {
+            let expected = "false with a gas, whose volume would change before the analysis";
+            findings.push(finding("assemble".into(), "true", expected).rests_on([path.clone()]));
+        }
+        let duration = model.analysis.dynamics().map_or(0.0, |dynamics| dynamics.duration);
+        let instant = |k| model.initial.start_time + duration * f64::from(k) / f64::from(INSTANTS);
+        let Ok(amount) = gas.time.compile() else { continue };
+        let lowest = (0..=INSTANTS).map(instant).map(|t| (t, amount.value(t))).find(|(_, m)| *m < 0.0);
+        if let Some((t, m)) = lowest {
+            let found = format!("an amount of gas of {} at t = {}", number(m), number(t));
+            findings.push(finding(format!("{path}.time"), found, "an amount of at least 0"));
         }
     }
     findings

@@ -11,7 +11,7 @@ use super::scheme::{errors, scheme, time};
 use crate::errors::{Finding, finding, number};
 use crate::joints::{End, Joint};
 use crate::model::{
-    About, Analysis, IndexedModel, Initial, Model, Modes, ON_AXIS, Place, bodies_of, joints_of,
+    About, Analysis, IndexedModel, Initial, Model, Modes, ON_AXIS, Place, bodies_of, joints_of, loads_of,
 };
 use crate::schema::join;
 use crate::units::ScaleChoice;
@@ -51,6 +51,7 @@ pub(crate) fn broken_rules(model: &Model) -> Vec<Finding> {
         super::friction::friction_of_joints,
         super::loads::kinds,
         super::loads::fluids,
+        super::loads::gases,
         super::loads::bases,
         super::loads::rotating_modes,
         super::loads::sensors,
@@ -72,13 +73,15 @@ fn names(model: &IndexedModel<'_>) -> Vec<Finding> {
     rule_of_names(bodies_of(model).map(|(path, body)| (path, body.name())).collect())
 }
 
-/// Checks that joints, probes and couplings, which name columns of results, have unique names.
+/// Checks that joints, probes, gases and couplings, which name columns of results, have unique names.
 fn columns(model: &IndexedModel<'_>) -> Vec<Finding> {
     let joints = joints_of(model).map(|(path, joint)| (path, joint.name()));
     let probes = model.probes.iter().enumerate().map(|(i, probe)| (format!("probes[{i}]"), &*probe.name));
     let couplings = model.couplings.iter().enumerate();
     let couplings = couplings.map(|(i, coupling)| (format!("couplings[{i}]"), &*coupling.name));
-    rule_of_names(joints.chain(probes).chain(couplings).collect())
+    let loads: Vec<_> =
+        loads_of(model).filter_map(|(path, load)| Some((path, load.kind().name()?))).collect();
+    rule_of_names(joints.chain(probes).chain(loads).chain(couplings).collect())
 }
 
 /// Checks of the kinds of sections.

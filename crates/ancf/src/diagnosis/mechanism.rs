@@ -1,7 +1,7 @@
 use std::collections::BTreeMap;
 
 use ancf_mechanics::kinematics::NodalVector;
-use ancf_solver::equations::{EquationsOfMotion, State, Term, Weights, constraint_rows};
+use ancf_solver::equations::{EquationsOfMotion, State, Weights, all_constraint_rows};
 use ancf_solver::factor::{NullSpace, SparseVector};
 use nalgebra::{Matrix3, SymmetricEigen, Vector3};
 
@@ -148,10 +148,9 @@ impl RigidModel {
                 kernel.add_row(row, RANK_TOLERANCE, translation);
             }
         }
-        for term in assembly.system.terms().iter().filter(|term| !term.multipliers().is_empty()) {
-            for row in self.rows(term.as_ref(), s) {
-                kernel.add_row(row, RANK_TOLERANCE, translation);
-            }
+        let terms = assembly.system.terms().iter().map(AsRef::as_ref);
+        for row in self.rows(all_constraint_rows(terms, s.lambda.len(), s)) {
+            kernel.add_row(row, RANK_TOLERANCE, translation);
             if kernel.entries() > MAX_COEFFICIENTS {
                 return None;
             }
@@ -159,8 +158,8 @@ impl RigidModel {
         Some(kernel)
     }
 
-    /// Rows Φ_q of one term for rigid motions, relative to the sum of magnitudes.
-    fn rows(&self, term: &dyn Term, s: &State) -> Vec<SparseVector> {
+    /// Rows Φ_q for rigid motions, relative to the sum of magnitudes.
+    fn rows(&self, constraints: Vec<SparseVector>) -> impl Iterator<Item = SparseVector> {
         let on_rigid = |of_term: SparseVector| {
             let (mut row, mut magnitude) = (SparseVector::new(), SparseVector::new());
             for (c, entry) in of_term {
@@ -174,7 +173,7 @@ impl RigidModel {
             row.values_mut().for_each(|x| *x /= if size > 0.0 { size } else { 1.0 });
             row
         };
-        constraint_rows(term, s).into_iter().map(on_rigid).collect()
+        constraints.into_iter().map(on_rigid)
     }
 
     /// Derivatives of a coordinate with respect to the six unknowns of its body, or to its own.

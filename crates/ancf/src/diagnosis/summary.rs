@@ -168,6 +168,7 @@ fn counted(counts: &BTreeMap<&'static str, usize>) -> String {
 fn plural(kind: &str) -> String {
     match kind {
         "rigid body" => "rigid bodies".into(),
+        "gas" => "gases".into(),
         "point mass" => "point masses".into(),
         "force per length" => "forces per length".into(),
         "moment per length" => "moments per length".into(),

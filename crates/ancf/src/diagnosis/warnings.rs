@@ -5,6 +5,7 @@ use super::plausibility::unit_warnings;
 use super::prestrained_modes::prestrain_warning;
 use super::thick_shells::thickness_warnings;
 use super::time_resolution::time_warnings;
+use crate::assembly::gas_warnings;
 use crate::model::Model;
 
 /// Warnings that follow from a valid model without its analysis, one sentence each.
@@ -16,5 +17,6 @@ pub(crate) fn model_warnings(model: &Model) -> Vec<String> {
     warnings.extend(thickness_warnings(model));
     warnings.extend(time_warnings(model));
     warnings.extend(prestrain_warning(model));
+    warnings.extend(gas_warnings(model));
     warnings
 }

@@ -25,6 +25,9 @@ const fn for_state(reason: Inadmissibility) -> &'static str {
             "other places of the ends of the spring, since its force has no direction there"
         }
         Inadmissibility::PressedThrough => FOR_CROSSED,
+        Inadmissibility::EmptyVolume => {
+            "smaller steps; surfaces that enclose the gas during the whole motion, with contact where they could pass through each other"
+        }
     }
 }
 

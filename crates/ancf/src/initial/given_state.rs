@@ -145,11 +145,11 @@ pub(crate) fn coordinate_units(assembly: &Assembly, scales: Scales) -> Vec<f64> 
     units
 }
 
-/// User's unit of a coordinate of a joint: a length of displacements, otherwise 1.
+/// User's unit of a coordinate of a joint or a gas: that of lengths and volumes, otherwise 1.
 fn unit_of_coordinate(assembly: &Assembly, c: usize, scales: Scales) -> f64 {
     let recorded = assembly.joint_coordinates().find(|(_, recorded)| recorded.coordinate == Some(c));
-    let is_length = recorded.is_some_and(|(_, recorded)| recorded.dimensions()[0] == Dimension::LENGTH);
-    if is_length { scales.length } else { 1.0 }
+    let dimension = recorded.map_or(Dimension::NUMBER, |(_, recorded)| recorded.dimensions()[0]);
+    scales.unit(dimension)
 }
 
 impl GivenBody {

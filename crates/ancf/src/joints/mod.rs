@@ -33,7 +33,9 @@ pub use parts::{
     JointObject, JointSymbol, JointTerm, LinearDrive, LinearFriction, LinearSpring, LinearStops,
     PrescribedMotion, RecordedCoordinate,
 };
-pub(crate) use parts::{Gap, JointEnds, JointEquations, JointStateLaw, LinearRows, Numbering, Part, Source};
+pub(crate) use parts::{
+    EquationOwner, Gap, JointEnds, JointEquations, JointStateLaw, LinearRows, Numbering, Part, Source,
+};
 pub use planar::Planar;
 pub use point_on_line::PointOnLine;
 pub use prismatic::Prismatic;

@@ -11,7 +11,9 @@ use super::parts::{CustomLoad, LoadKind};
 use super::point_force::PointForce;
 use super::point_moment::PointMoment;
 use super::prestrain::Prestrain;
-use super::surface::{EdgeForce, EdgeMoment, SurfaceFluid, SurfaceForce, SurfacePressure, SurfacePrestrain};
+use super::surface::{
+    EdgeForce, EdgeMoment, Gas, SurfaceFluid, SurfaceForce, SurfacePressure, SurfacePrestrain,
+};
 use crate::model::{Place, TimeFunction};
 use crate::units::{Scaled, Scales};
 
@@ -65,6 +67,7 @@ load_kinds! {
     EdgeMoment(EdgeMoment),
     SurfaceForce(SurfaceForce),
     SurfacePressure(SurfacePressure),
+    Gas(Gas),
     SurfaceFluid(SurfaceFluid),
     BaseAcceleration(BaseAcceleration),
     BaseRotation(BaseRotation),

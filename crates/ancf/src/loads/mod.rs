@@ -23,9 +23,12 @@ pub use distributed_moment::DistributedMoment;
 pub use external::ExternalLoad;
 pub use fluid::Fluid;
 pub use load::Load;
+pub(crate) use parts::patches;
 pub use parts::{AxisPart, CustomLoad, LoadBuilder, LoadContext, LoadKind, LoadObject};
 pub use point_force::PointForce;
 pub use point_moment::PointMoment;
 pub use prestrain::Prestrain;
 pub(crate) use prestrain::rigidity;
-pub use surface::{EdgeForce, EdgeMoment, SurfaceFluid, SurfaceForce, SurfacePressure, SurfacePrestrain};
+pub use surface::{
+    EdgeForce, EdgeMoment, Gas, GasSurface, SurfaceFluid, SurfaceForce, SurfacePressure, SurfacePrestrain,
+};

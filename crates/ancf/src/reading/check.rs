@@ -4,7 +4,7 @@ use serde::Deserialize;
 use toml::Value;
 
 use super::meshes::read_meshes;
-use crate::assembly::{Assembly, contradictions};
+use crate::assembly::{Assembly, contradictions, enclosures};
 use crate::checking::{broken_rules, with_memory};
 use crate::errors::{Finding, ModelError, ModelErrors, finding, quoted};
 use crate::model::{
@@ -124,10 +124,14 @@ fn errors(findings: Vec<Finding>) -> Vec<ModelError> {
     findings.into_iter().map(|finding| finding.error).collect()
 }
 
-/// Violated rules of a model that satisfies the schema; without any, contradictions of its joints.
+/// Violated rules of a model that satisfies the schema; without any, contradictions of its joints and openings around gases.
 fn rules_and_contradictions(model: &Model) -> Vec<Finding> {
     let findings = broken_rules(model);
-    if findings.is_empty() { contradictions(model) } else { findings }
+    if findings.is_empty() {
+        contradictions(model).into_iter().chain(enclosures(model)).collect()
+    } else {
+        findings
+    }
 }
 
 /// Checks data against the schema, and against those rules that depend on valid data only.

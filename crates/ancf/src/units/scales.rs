@@ -23,6 +23,8 @@ impl Dimension {
     pub const LENGTH: Self = Self::new(1, 0, 0);
     /// L², of areas.
     pub const AREA: Self = Self::new(2, 0, 0);
+    /// L³.
+    pub const VOLUME: Self = Self::new(3, 0, 0);
     /// L⁴, of second moments of area and of torsion constants.
     pub const SECOND_MOMENT: Self = Self::new(4, 0, 0);
     /// T.

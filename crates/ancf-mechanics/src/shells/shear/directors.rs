@@ -72,20 +72,33 @@ fn extrapolated(point: &Vector3<f64>, samples: &[[Vector3<f64>; 2]], normal: &Ve
     sum.normalize()
 }
 
-/// Returns the global axis that is farthest from all directors: the first direction of stresses unless an axis is given.
+/// Axes of the first direction of stresses: the global ones, and others for surfaces with normals along all of these.
+const AXES: [[f64; 3]; 6] = [
+    [1.0, 0.0, 0.0],
+    [0.0, 1.0, 0.0],
+    [0.0, 0.0, 1.0],
+    [0.36, 0.48, 0.8],
+    [0.8, -0.36, 0.48],
+    [-0.48, 0.8, 0.36],
+];
+/// Smallest sine of the angle between a global axis and the normals for which no other axis is considered.
+const DISTINCT: f64 = 1e-2;
+
+/// Returns the axis that is farthest from all unit normals: the first direction of stresses unless an axis is given.
 ///
-/// Axes whose smallest angles to the directors differ by rounding only count as equal; the first of them is returned.
-pub fn stress_axis(directors: &[Vector3<f64>]) -> Vector3<f64> {
-    let axes = [Vector3::x(), Vector3::y(), Vector3::z()];
+/// It is a global axis unless each of these is close to a normal, as on a closed surface. Axes whose smallest angles to the normals
+/// differ by rounding only count as equal; the first of them is returned.
+pub fn stress_axis(normals: &[Vector3<f64>]) -> Vector3<f64> {
     let sine =
-        |axis: &Vector3<f64>| directors.iter().map(|d| d.cross(axis).norm()).fold(f64::INFINITY, f64::min);
-    let mut best = axes[0];
-    for axis in &axes[1..] {
-        if sine(axis) > sine(&best) + 1e-3 {
-            best = *axis;
+        |axis: &Vector3<f64>| normals.iter().map(|d| d.cross(axis).norm()).fold(f64::INFINITY, f64::min);
+    let mut best = (Vector3::from(AXES[0]), sine(&Vector3::from(AXES[0])));
+    for (k, axis) in AXES.into_iter().map(Vector3::from).enumerate().skip(1) {
+        let own = sine(&axis);
+        if own > best.1 + 1e-3 && (k < 3 || best.1 < DISTINCT) {
+            best = (axis, own);
         }
     }
-    best
+    best.0
 }
 
 #[cfg(test)]

@@ -121,6 +121,11 @@ impl ShearShellMesh {
         (self.first + 6 * node + 3 * kind, if kind == 0 { r + self.origin } else { d })
     }
 
+    /// Returns the first coordinate and the reference position of the corners of an element, counter-clockwise about its normal.
+    pub fn corners(&self, element: usize) -> Vec<(usize, Vector3<f64>)> {
+        self.faces()[element].nodes().iter().map(|node| self.nodal(*node, 0)).collect()
+    }
+
     fn nodal_vector(&self, s: &State, node: usize, kind: usize) -> NodalVector {
         let (first, reference) = self.nodal(node, kind);
         let value = reference + Vector3::from_column_slice(&s.q[first..first + 3]);

@@ -6,7 +6,6 @@ mod element;
 mod face;
 mod forms;
 mod mesh;
-mod pressure;
 mod profile;
 mod shell_place;
 mod stress;
@@ -15,8 +14,8 @@ mod topology;
 
 pub use directors::{directors, stress_axis};
 pub use face::Face;
+pub(crate) use face::Shape;
 pub use mesh::{ShearShellMesh, SurfacePlace};
-pub use pressure::face_pressure;
 pub use profile::ShearMedium;
 pub use shell_place::ShellPlace;
 pub use stress::ShearStressField;

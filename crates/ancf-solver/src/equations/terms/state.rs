@@ -153,4 +153,7 @@ pub enum Inadmissibility {
     /// The axes of bodies in contact intersect.
     #[error("bodies in contact are pressed through each other")]
     PressedThrough,
+    /// The volume of a gas is not positive.
+    #[error("the volume of a gas vanishes")]
+    EmptyVolume,
 }

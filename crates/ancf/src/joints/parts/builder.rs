@@ -13,7 +13,7 @@ use nalgebra::Vector3;
 
 use super::coupling::JointCoordinate;
 use super::end::{ClampedGradients, End, Ground, reference};
-use super::equations::{JointEnds, JointEquations, Numbering, Part};
+use super::equations::{EquationOwner, JointEnds, JointEquations, Numbering, Part};
 use super::term::JointTerm;
 use crate::model::{ShearShell, TimeFunction, TimeMode};
 
@@ -46,6 +46,7 @@ impl<'a> JointBuilder<'a> {
     ) -> Self {
         let Numbering { coordinate, multiplier, time_mode, energy } = numbering;
         let equations = JointEquations {
+            owner: EquationOwner::Joint,
             name: name.to_owned(),
             coordinates: coordinate..coordinate,
             multipliers: multiplier..multiplier,

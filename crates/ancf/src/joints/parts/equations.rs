@@ -79,8 +79,18 @@ pub(crate) struct Part {
     pub(crate) reacts: bool,
 }
 
-/// Equations of one joint.
+/// Owner of equations with coordinates and multipliers of their own.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum EquationOwner {
+    /// Joint, with a reaction.
+    Joint,
+    /// Gas in an enclosed volume.
+    Gas,
+}
+
+/// Equations of one joint, or of a gas.
 pub(crate) struct JointEquations {
+    pub(crate) owner: EquationOwner,
     pub(crate) name: String,
     /// Range of the coordinates of the joint.
     pub(crate) coordinates: Range<usize>,
@@ -123,6 +133,27 @@ impl fmt::Debug for JointEquations {
 }
 
 impl JointEquations {
+    /// True for a joint, false for a gas.
+    pub(crate) fn is_joint(&self) -> bool {
+        self.owner == EquationOwner::Joint
+    }
+
+    /// Owner of a coordinate in messages.
+    pub(crate) fn owner_of_coordinate(&self) -> String {
+        match self.owner {
+            EquationOwner::Joint => format!("joint `{}`, its coordinate", self.name),
+            EquationOwner::Gas => format!("gas `{}`, its volume", self.name),
+        }
+    }
+
+    /// Owner of a multiplier in messages.
+    pub(crate) fn owner_of_multiplier(&self, number: usize) -> String {
+        match self.owner {
+            EquationOwner::Joint => format!("joint `{}`, {}", self.name, self.names()[number]),
+            EquationOwner::Gas => format!("gas `{}`, its pressure", self.name),
+        }
+    }
+
     /// Coordinates other than those of states of force laws.
     pub(crate) fn free_coordinates(&self) -> impl Iterator<Item = usize> + '_ {
         self.coordinates.clone().filter(|c| !self.states.contains(c))

@@ -21,7 +21,9 @@ pub use builder::JointBuilder;
 pub use coupling::{Coupled, Coupling, JointCoordinate};
 pub use end::{ClampedGradients, End, Ground};
 pub use equations::GapClosure;
-pub(crate) use equations::{Gap, JointEnds, JointEquations, JointStateLaw, LinearRows, Numbering, Part};
+pub(crate) use equations::{
+    EquationOwner, Gap, JointEnds, JointEquations, JointStateLaw, LinearRows, Numbering, Part,
+};
 pub use friction::{AngularFriction, JointFriction, LinearFriction};
 pub use kind::{JointContext, JointKind, JointObject, JointSymbol};
 pub use recorded_coordinate::RecordedCoordinate;

@@ -1,12 +1,13 @@
 use ancf_mechanics::constraints::BilinearMeasure;
 use ancf_mechanics::kinematics::{Attachment, BodyVector};
+use ancf_mechanics::shells::GasPressure;
 use ancf_solver::equations::State;
 use nalgebra::Vector3;
 
 use super::coupling::JointCoordinate;
 use crate::units::{Dimension, UnitQuantity};
 
-/// Angle, displacement, arc length or distance that a joint records.
+/// Angle, displacement, arc length or distance that a joint records, or volume and pressure of a gas.
 #[derive(Clone, Debug)]
 pub struct RecordedCoordinate {
     pub(crate) source: Source,
@@ -30,6 +31,8 @@ pub(crate) enum Source {
     /// State of a force law, whose change is the rate of the coordinate: names of value and rate, the value at the start, and the unit
     /// of time measured in that of the law.
     State { columns: [String; 2], start: f64, time: f64 },
+    /// Volume of a gas, and its pressure in place of a rate.
+    Gas(GasPressure),
 }
 
 impl RecordedCoordinate {
@@ -40,6 +43,7 @@ impl RecordedCoordinate {
             Source::Displacement(_) => ["displacement", "speed"],
             Source::Position(_) => ["position", "speed"],
             Source::Length(_) => ["length", "speed"],
+            Source::Gas(_) => ["volume", "pressure"],
             Source::State { columns: [value, rate], .. } => [value, rate],
         }
     }
@@ -50,6 +54,7 @@ impl RecordedCoordinate {
             Source::Angle { .. } | Source::Projection(_) | Source::State { .. } => {
                 [Dimension::NUMBER, Dimension::RATE]
             }
+            Source::Gas(_) => [Dimension::VOLUME, Dimension::STRESS],
             _ => [Dimension::LENGTH, Dimension::VELOCITY],
         }
     }
@@ -99,6 +104,7 @@ impl RecordedCoordinate {
                 let length = d.norm();
                 [length, d.dot(&rate) / length]
             }
+            Source::Gas(gas) => gas.volume_and_pressure(s),
         }
     }
 
@@ -107,7 +113,7 @@ impl RecordedCoordinate {
         let fits = match self.source {
             Source::Angle { .. } | Source::Projection(_) => free == JointCoordinate::Angle,
             Source::Displacement(_) | Source::Position(_) => free == JointCoordinate::Displacement,
-            Source::Length(_) | Source::State { .. } => false,
+            Source::Length(_) | Source::State { .. } | Source::Gas(_) => false,
         };
         self.coordinate.filter(|_| fits)
     }

@@ -5,6 +5,7 @@ use ancf_mechanics::constraints::{
 use ancf_mechanics::forces::{
     CoordinateForce, Friction, MatrixBushing, ReactionFriction, Spring, StateForce, Strut, SwingSpring,
 };
+use ancf_mechanics::shells::{EnclosedVolume, GasPressure};
 use ancf_solver::equations::{State, Term};
 
 /// Term of a joint: a constraint or a force with a reaction.
@@ -57,4 +58,24 @@ joint_terms! {
     Strut,
     SwingSpring,
     TwistAngle,
+}
+
+impl<const N: usize> JointTerm for EnclosedVolume<N> {
+    fn reaction(&self, _: &State) -> Wrench {
+        Wrench::default()
+    }
+
+    fn boxed(&self) -> Box<dyn Term> {
+        Box::new(self.clone())
+    }
+}
+
+impl JointTerm for GasPressure {
+    fn reaction(&self, _: &State) -> Wrench {
+        Wrench::default()
+    }
+
+    fn boxed(&self) -> Box<dyn Term> {
+        Box::new(self.clone())
+    }
 }

@@ -6,7 +6,7 @@ use ancf_mechanics::fluid::FlowField;
 use ancf_mechanics::forces::{ExternalForce, Force};
 use ancf_mechanics::functions::{ForceFunction, Function};
 use ancf_mechanics::kinematics::{Attachment, BodyVector, Marker};
-use ancf_mechanics::shells::{ShearShellMesh, ShellMesh};
+use ancf_mechanics::shells::{ElementPatch, ShearShellMesh, ShellMesh};
 use ancf_solver::equations::Term;
 use nalgebra::Vector3;
 
@@ -97,6 +97,16 @@ impl<'a> LoadBuilder<'a> {
         self.bodies.iter().find(|(own, _)| own == name)?.1.shell()
     }
 
+    /// Middle surfaces of the elements of a shell or of a region of it, with positions relative to an origin.
+    pub(in crate::loads) fn patches(
+        &self,
+        body: &str,
+        region: Option<&str>,
+        origin: Vector3<f64>,
+    ) -> Vec<ElementPatch> {
+        self.body(body).map_or_else(Vec::new, |(body, terms)| patches(body, terms, region, origin))
+    }
+
     /// Names of all bodies.
     pub fn body_names(&self) -> impl Iterator<Item = &'a str> + use<'a> {
         self.bodies.iter().map(|(name, _)| name.as_str())
@@ -141,4 +151,19 @@ impl<'a> LoadBuilder<'a> {
     pub fn external_force(&mut self, on: &Place, force: ForceFunction) {
         self.add(ExternalForce::new(self.attachment(on).point, force, self.context.length()));
     }
+}
+
+/// Middle surfaces of the elements of a shell or of a region of it, with positions relative to an origin. Empty for other bodies.
+pub(crate) fn patches(
+    body: &Body,
+    terms: &BodyTerms,
+    region: Option<&str>,
+    origin: Vector3<f64>,
+) -> Vec<ElementPatch> {
+    if let Some(mesh) = terms.shell() {
+        return (0..mesh.elements().len()).map(|k| ElementPatch::thin(mesh, k, origin)).collect();
+    }
+    let Some((mesh, shell)) = terms.shear_shell().zip(body.shear_shell()) else { return Vec::new() };
+    let elements = shell.region(region).unwrap_or_default();
+    elements.into_iter().map(|k| ElementPatch::face(mesh, k, origin)).collect()
 }

@@ -9,6 +9,7 @@ mod kind;
 pub use axis_part::AxisPart;
 pub(super) use axis_part::{end, start};
 pub use builder::LoadBuilder;
+pub(crate) use builder::patches;
 pub use context::LoadContext;
 pub use custom::CustomLoad;
 pub use kind::{LoadKind, LoadObject};

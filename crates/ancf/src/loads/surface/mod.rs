@@ -2,6 +2,7 @@
 
 mod edge_force;
 mod edge_moment;
+mod gas;
 mod surface_fluid;
 mod surface_force;
 mod surface_pressure;
@@ -9,6 +10,7 @@ mod surface_prestrain;
 
 pub use edge_force::EdgeForce;
 pub use edge_moment::EdgeMoment;
+pub use gas::{Gas, GasSurface};
 pub use surface_fluid::SurfaceFluid;
 pub use surface_force::SurfaceForce;
 pub use surface_pressure::SurfacePressure;

@@ -1,4 +1,4 @@
-use ancf_mechanics::shells::{SurfacePressure as ElementPressure, face_pressure};
+use nalgebra::Vector3;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -32,15 +32,8 @@ impl LoadKind for SurfacePressure {
 
     fn build(&self, builder: &mut LoadBuilder<'_>) {
         let function = builder.function(&self.time);
-        if let Some((mesh, shell)) = builder.shear_shell(&self.body) {
-            for element in shell.region(self.region.as_deref()).unwrap_or_default() {
-                builder.add_boxed(face_pressure(mesh, element, self.pressure, &function));
-            }
-            return;
-        }
-        let Some(mesh) = builder.shell(&self.body) else { return };
-        for load in ElementPressure::on(mesh, self.pressure, &function) {
-            builder.add(load);
+        for patch in builder.patches(&self.body, self.region.as_deref(), Vector3::zeros()) {
+            builder.add_boxed(patch.pressure(self.pressure, &function));
         }
     }
 

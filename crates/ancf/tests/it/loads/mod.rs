@@ -3,6 +3,7 @@
 mod base_rotation;
 mod fluid;
 mod functions;
+mod gases;
 mod line_loads;
 mod moments;
 mod prestrain;

@@ -15,6 +15,7 @@ use nalgebra::{Matrix3, Rotation3, Vector3};
 use super::constraints::{ORIGIN, bodies, constraints_and_loads, mesh};
 use super::contacts::{Loss, contacts};
 use super::frames::frame_terms;
+use super::gases::gas_terms;
 use super::immersed::{immersed_terms, meshes};
 use super::joint_terms::joint_terms;
 use super::kind::TermKind;
@@ -188,5 +189,6 @@ pub(super) fn terms() -> Vec<TermCase> {
         .chain(rotating_frames())
         .chain(prestrains())
         .chain(shell_prestrain_terms())
+        .chain(gas_terms())
         .collect()
 }

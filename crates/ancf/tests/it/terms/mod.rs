@@ -4,6 +4,7 @@ mod cases;
 mod constraints;
 mod contacts;
 mod frames;
+mod gases;
 mod immersed;
 mod joint_terms;
 mod kind;

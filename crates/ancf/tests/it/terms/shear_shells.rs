@@ -2,7 +2,7 @@
 
 use ancf::mechanics::functions::Function;
 use ancf::mechanics::shells::{
-    Face, Laminate, Ply, PlyElasticity, ShearMedium, ShearShellMesh, directors, face_pressure,
+    ElementPatch, Face, Laminate, Ply, PlyElasticity, ShearMedium, ShearShellMesh, directors,
 };
 use ancf::solver::equations::{Local, Term};
 use nalgebra::{Rotation3, Vector3};
@@ -94,7 +94,8 @@ pub(super) fn shear_shell_terms() -> impl Iterator<Item = TermCase> {
             kind,
         });
         // The term is renumbered to its own coordinates by the mesh: positions only.
-        let pressure = face_pressure(&mesh_of(corners, false, [0.0; 2]), 0, 1.7, &Function::ONE);
+        let pressure = ElementPatch::face(&mesh_of(corners, false, [0.0; 2]), 0, Vector3::zeros());
+        let pressure = pressure.pressure(1.7, &Function::ONE);
         elements.chain([TermCase {
             name: format!("pressure on a {shape}"),
             term: pressure,

@@ -3,7 +3,7 @@
 use ancf::mechanics::constraints::{ConstrainedVector, LinearConstraint};
 use ancf::mechanics::functions::Function;
 use ancf::mechanics::kinematics::Marker;
-use ancf::mechanics::shells::{Shell48, ShellMedium, ShellMesh, ShellSection, SurfacePressure};
+use ancf::mechanics::shells::{ElementPatch, Shell48, ShellMedium, ShellMesh, ShellSection};
 use ancf::solver::equations::Local;
 use nalgebra::{Matrix3, Rotation3, Vector3};
 
@@ -53,7 +53,7 @@ pub(super) fn map([u, v]: [f64; 2]) -> [Vector3<f64>; 4] {
 /// Pressure on an element and a support of two nodal vectors.
 fn pressure_and_support() -> [TermCase; 2] {
     let mesh = ShellMesh::new(0, [1, 1], Vector3::x(), map, &medium(false, [0.0; 2]));
-    let pressure = SurfacePressure::on(&mesh, 1.7, &Function::ONE).swap_remove(0);
+    let pressure = ElementPatch::thin(&mesh, 0, Vector3::zeros()).pressure(1.7, &Function::ONE);
     let vector = |first, is_position| ConstrainedVector {
         first,
         reference: Vector3::new(0.3, 1.0, -0.4),
@@ -63,7 +63,7 @@ fn pressure_and_support() -> [TermCase; 2] {
     let about = Marker::fixed(Vector3::y());
     let support = LinearConstraint::new(vec![vector(0, true), vector(6, false)], &about, 0, "support");
     [
-        TermCase { name: "pressure".into(), term: Box::new(pressure), kind: TermKind::NonConservative },
+        TermCase { name: "pressure".into(), term: pressure, kind: TermKind::NonConservative },
         TermCase { name: "support of a shell".into(), term: Box::new(support), kind: TermKind::Polynomial },
     ]
 }

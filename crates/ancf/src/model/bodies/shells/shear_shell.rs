@@ -106,7 +106,12 @@ impl ShearShell {
 
     /// Axis whose projection on the surface is the first direction of the section.
     pub(crate) fn axis(&self, directors: &[Vector3<f64>]) -> Vector3<f64> {
-        self.fibre_axis.map_or_else(|| stress_axis(directors), |axis| Vector3::from(axis).normalize())
+        let automatic = || {
+            let points = self.points();
+            let normals = self.faces().into_iter().map(|face| face.normal(&points));
+            stress_axis(&directors.iter().copied().chain(normals).collect::<Vec<_>>())
+        };
+        self.fibre_axis.map_or_else(automatic, |axis| Vector3::from(axis).normalize())
     }
 
     /// Topology of a mesh whose elements have existing nodes.

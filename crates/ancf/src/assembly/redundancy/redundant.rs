@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeSet, HashMap, HashSet};
 use std::fmt;
+use std::ops::Range;
 
 use ancf_solver::equations::{Dependence, Level, Local, State, Term, all_constraint_rows, dependences};
 use ancf_solver::factor::SparseVector;
@@ -71,7 +72,12 @@ impl<'a> Constraints<'a> {
         joints: &'a [JointEquations],
         couplings: impl IntoIterator<Item = &'a String>,
     ) -> Self {
-        let terms: Vec<_> = terms.into_iter().filter(|term| !term.multipliers().is_empty()).collect();
+        // The coordinate of a gas appears in its equation only, which is therefore independent.
+        let gases: Vec<Range<usize>> =
+            joints.iter().filter(|own| !own.is_joint()).map(|own| own.multipliers.clone()).collect();
+        let is_of_gas = |term: &&dyn Term| gases.contains(&term.multipliers());
+        let terms = terms.into_iter().filter(|term| !term.multipliers().is_empty() && !is_of_gas(term));
+        let terms: Vec<_> = terms.collect();
         let multipliers = terms.iter().map(|term| term.multipliers().end).max().unwrap_or(0);
         Self { terms, joints, couplings: couplings.into_iter().map(String::as_str).collect(), multipliers }
     }

@@ -1,8 +1,7 @@
-//! Redundant equations of joints: search, shared multipliers and contradictions.
+//! Redundant equations of joints, and contradictions between them.
 
-mod contradictions;
+mod constraints;
 mod redundant;
-mod sharing;
 
-pub(crate) use contradictions::contradictions;
+pub(super) use constraints::{APART, Constraints, Owner};
 pub use redundant::Redundant;

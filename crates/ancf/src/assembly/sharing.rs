@@ -1,7 +1,7 @@
 use ancf_solver::equations::{Dependence, REDUNDANCY_TOLERANCE, State};
 
-use super::redundant::{APART, Constraints, Redundant};
-use crate::assembly::assembled::Assembly;
+use super::assembled::Assembly;
+use super::redundancy::{APART, Constraints, Redundant};
 use crate::joints::JointEquations;
 
 impl Assembly {

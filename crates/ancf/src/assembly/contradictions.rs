@@ -2,7 +2,7 @@ use std::collections::BTreeSet;
 
 use ancf_solver::equations::{REDUNDANCY_TOLERANCE, State, Term};
 
-use super::redundant::{Constraints, Owner, Redundant};
+use super::redundancy::{Constraints, Owner, Redundant};
 use crate::errors::{Finding, ModelError};
 use crate::joints::JointEquations;
 use crate::model::{Analysis, IndexedModel, Model, TimeMode};

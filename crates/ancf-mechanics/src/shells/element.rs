@@ -7,8 +7,9 @@ use nalgebra::Vector3;
 use pulp::Arch;
 
 use super::hermite::{Shape, VECTORS};
+use super::nonlinear_membrane::NonlinearMembrane;
 use super::prestrain::{StrainField, StrainedElement, SurfaceLaw};
-use super::profile::{POINTS, ShellMedium, ShellProfile, ShellTables, sum};
+use super::profile::{MembraneStiffness, POINTS, ShellMedium, ShellProfile, ShellTables, sum};
 use super::rounding::{add_rounding, add_stress_rounding};
 use super::stiffness::{ShellMatrix, StiffnessJob};
 use super::surface_state::{ShellStrains, SurfaceState, surface_areas};
@@ -21,7 +22,8 @@ const CRUSHED: f64 = 1e-2;
 ///
 /// Coordinates are the components of the vectors minus their reference values. The membrane strains ½ (a_αβ − A_αβ) are evaluated
 /// at 3 × 3 Lobatto points and interpolated, which prevents membrane locking. The curvatures b_αβ = r_,αβ · n are exact, at 4 × 4
-/// Gauss points. Stresses are linear in them (St. Venant-Kirchhoff law in plane stress, [`ShellSection`](super::ShellSection)).
+/// Gauss points. Stresses are linear in them (St. Venant-Kirchhoff law in plane stress, [`ShellSection`](super::ShellSection)) unless the section has another law
+/// of the membrane forces.
 /// The mass matrix is constant; rotary inertia of the sections is neglected.
 ///
 /// Source: Bogner, Fox & Schmit (1965), shape functions; Dmitrochenko & Pogorelov (2003), coordinates; Kiendl et al. (2009), strains.
@@ -30,6 +32,8 @@ pub struct Shell48 {
     coordinates: Vec<usize>,
     tables: Arc<ShellTables>,
     profile: Arc<ShellProfile>,
+    /// Law of the membrane forces if it is not linear.
+    nonlinear: Option<Arc<NonlinearMembrane>>,
 }
 
 /// Returns the nodal vectors of a slice of coordinates.
@@ -46,7 +50,8 @@ impl Shell48 {
         let tables = Arc::new(ShellTables::new());
         let element = |(coordinates, reference): (Vec<usize>, _)| {
             let profile = Arc::new(ShellProfile::new(&tables, &reference, medium));
-            Self { coordinates, tables: Arc::clone(&tables), profile }
+            let nonlinear = NonlinearMembrane::new(&profile).map(Arc::new);
+            Self { coordinates, tables: Arc::clone(&tables), profile, nonlinear }
         };
         elements.into_iter().map(element).collect()
     }
@@ -59,8 +64,10 @@ impl Shell48 {
     /// Returns the strain energy, from the coordinates of the element.
     pub fn strain_energy(&self, q: &[f64]) -> f64 {
         let strains = self.state(q).strains;
-        let stress = self.profile.stress(&self.tables, &strains);
-        0.5 * stress.product(&strains)
+        match &self.nonlinear {
+            Some(membrane) => membrane.strain_energy(self.data(), &strains),
+            None => 0.5 * self.profile.stress(&self.tables, &strains).product(&strains),
+        }
     }
 
     fn state(&self, q: &[f64]) -> SurfaceState {
@@ -90,18 +97,46 @@ impl Shell48 {
         strains
     }
 
-    /// Computes the stresses of a state, with those of the damping.
-    fn stress(&self, state: &SurfaceState, at: &Local<'_>) -> ShellStrains {
-        let mut strains = self.retarded(state, at);
-        strains.add(1.0, &state.strains);
-        self.profile.stress(&self.tables, &strains)
+    /// Returns the tables and the profile.
+    fn data(&self) -> (&ShellTables, &ShellProfile) {
+        (&self.tables, &self.profile)
     }
 
-    /// Computes `material` times the material stiffness plus the stiffness of stresses.
-    fn stiffness(&self, state: &SurfaceState, material: f64, stress: &ShellStrains) -> ShellMatrix {
+    /// Computes the stresses of strains by the law of the section.
+    fn elastic_stress(&self, strains: &ShellStrains) -> ShellStrains {
+        match &self.nonlinear {
+            Some(membrane) => membrane.stress(self.data(), strains),
+            None => self.profile.stress(&self.tables, strains),
+        }
+    }
+
+    /// Computes the stresses of a state, with those of the damping.
+    fn stress(&self, state: &SurfaceState, at: &Local<'_>) -> ShellStrains {
+        let mut stress = self.elastic_stress(&state.strains);
+        if self.profile.medium.retardation != 0.0 {
+            stress.add(1.0, &self.profile.stress(&self.tables, &self.retarded(state, at)));
+        }
+        stress
+    }
+
+    /// Computes `material` times the material stiffness, or a given one of the membrane strains, plus the stiffness of stresses.
+    fn stiffness(
+        &self,
+        state: &SurfaceState,
+        (material, membrane): (f64, Option<&MembraneStiffness>),
+        stress: &ShellStrains,
+    ) -> ShellMatrix {
         let (tables, profile) = (&*self.tables, &*self.profile);
         let mut sum = ShellMatrix::ZERO;
-        Arch::new().dispatch(StiffnessJob { state, tables, profile, material, stress, sum: &mut sum });
+        Arch::new().dispatch(StiffnessJob {
+            state,
+            tables,
+            profile,
+            material,
+            membrane,
+            stress,
+            sum: &mut sum,
+        });
         sum
     }
 
@@ -111,7 +146,10 @@ impl Shell48 {
         let material = w.q + w.v * profile.medium.retardation;
         let mut scaled = ShellStrains::ZERO;
         scaled.add(w.q, stress);
-        let mut matrix = self.stiffness(state, material, &scaled);
+        let shares = [w.q, w.v * profile.medium.retardation];
+        let nonlinear = self.nonlinear.as_ref().filter(|_| material != 0.0);
+        let membrane = nonlinear.map(|membrane| membrane.stiffness(self.data(), &state.strains, shares));
+        let mut matrix = self.stiffness(state, (material, membrane.as_ref()), &scaled);
         let inertia = w.a + profile.medium.mass_damping * w.v;
         if inertia != 0.0 {
             matrix.add_to_diagonal(inertia, &profile.mass);
@@ -125,7 +163,10 @@ impl Shell48 {
         let (mut strains, [of_before, of_after]) = (ShellStrains::ZERO, step.shares());
         strains.add(of_before, &before);
         strains.add(of_after, &after);
-        let mut stress = self.profile.stress(&self.tables, &strains);
+        let mut stress = match &self.nonlinear {
+            Some(membrane) => membrane.step_stress(self.data(), &strains, [&before, &after]),
+            None => self.profile.stress(&self.tables, &strains),
+        };
         self.correct_moments(&mut stress, middle, [&before, &after], step);
         stress.add(1.0, &self.profile.stress(&self.tables, &self.retarded(middle, &step.middle)));
         stress
@@ -209,7 +250,7 @@ impl Term for Shell48 {
     }
 
     fn has_stress_prediction(&self) -> bool {
-        true
+        self.nonlinear.is_none()
     }
 
     fn stress_prediction(&self, at: &Local<'_>, from: &Local<'_>, k: &mut LocalMatrix<'_>) {
@@ -220,14 +261,18 @@ impl Term for Shell48 {
         strains.add(1.0, &linear);
         strains.add(-1.0, &state.strains);
         let stress = self.profile.stress(&self.tables, &strains);
-        self.stiffness(&state, 0.0, &stress).add_to(k);
+        self.stiffness(&state, (0.0, None), &stress).add_to(k);
     }
 
     fn stress_stiffness(&self, at: &Local<'_>, by: &Local<'_>, k: &mut LocalMatrix<'_>) {
         let state = self.state(at.q);
         let strains = state.rates(&self.tables, &vectors(by.q));
-        let stress = self.profile.stress(&self.tables, &strains);
-        self.stiffness(&state, 0.0, &stress).add_to(k);
+        let mut stress = self.profile.stress(&self.tables, &strains);
+        if let Some(membrane) = &self.nonlinear {
+            let of_state = membrane.stiffness(self.data(), &state.strains, [1.0, 0.0]);
+            stress.membrane = of_state.stress(&strains.membrane);
+        }
+        self.stiffness(&state, (0.0, None), &stress).add_to(k);
     }
 
     fn inadmissibility(&self, at: &Local<'_>) -> Option<Inadmissibility> {
@@ -335,7 +380,7 @@ impl StrainedElement for Shell48 {
     }
 
     fn add_stiffness_of(&self, q: &[f64], stress: &ShellStrains, k: &mut LocalMatrix<'_>) {
-        self.stiffness(&self.state(q), 0.0, stress).add_to(k);
+        self.stiffness(&self.state(q), (0.0, None), stress).add_to(k);
     }
 
     fn exact_work(&self, mut stress: ShellStrains, step: &LocalStep<'_>) -> ShellStrains {

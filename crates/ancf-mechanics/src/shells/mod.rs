@@ -5,6 +5,7 @@ mod element_surface;
 mod hermite;
 mod laminates;
 mod mesh;
+mod nonlinear_membrane;
 mod pressure;
 mod prestrain;
 mod profile;
@@ -19,7 +20,10 @@ mod surface_stress;
 pub use element::Shell48;
 pub use element_surface::ElementSurface;
 pub use hermite::VECTORS;
-pub use laminates::{Laminate, Ply, PlyElasticity, ShellSection, SurfaceMaterial, ThickSection};
+pub use laminates::{
+    Laminate, MembraneEnergy, MembraneLaw, MembraneState, Ply, PlyElasticity, ShellSection, SurfaceMaterial,
+    ThickSection,
+};
 pub use mesh::{ShellEdge, ShellMesh};
 pub use pressure::{ElementPatch, EnclosedVolume, GasPressure, PatchMeasures, SurfacePatch};
 pub use prestrain::SurfacePrestrain;

@@ -162,6 +162,22 @@ impl ShellTables {
     }
 }
 
+impl ShellTables {
+    /// Adds the stiffness of the covariant membrane strain at an integration point.
+    pub(crate) fn add_membrane_stiffness(
+        &self,
+        k: usize,
+        stiffness: &Matrix3<f64>,
+        sum: &mut SMatrix<f64, MEMBRANE, MEMBRANE>,
+    ) {
+        let sampling = &self.sampling[k];
+        for (t, s) in (0..MEMBRANE).flat_map(|t| (0..MEMBRANE).map(move |s| (t, s))) {
+            let entry = stiffness[(self.samples[t].component, self.samples[s].component)];
+            sum[(t, s)] += sampling[t] * sampling[s] * entry;
+        }
+    }
+}
+
 /// Computes Σ_a N_a x_a.
 pub(crate) fn sum(shape: &Shape, x: &[Vector3<f64>; VECTORS]) -> Vector3<f64> {
     shape.iter().zip(x).fold(Vector3::zeros(), |sum, (shape, x)| sum + x * *shape)
@@ -186,10 +202,7 @@ impl ShellProfile {
             let area = normal.norm();
             let [a, b, d] =
                 medium.section.covariant([&values[0], &values[1]], medium.axis).map(|c| c * (weight * area));
-            for (t, s) in (0..MEMBRANE).flat_map(|t| (0..MEMBRANE).map(move |s| (t, s))) {
-                let stiffness = a[(tables.samples[t].component, tables.samples[s].component)];
-                membrane[(t, s)] += tables.sampling[k][t] * tables.sampling[k][s] * stiffness;
-            }
+            tables.add_membrane_stiffness(k, &a, &mut membrane);
             let shape = bicubic(at, [0, 0]);
             for i in 0..VECTORS {
                 first[i] += weight * area * medium.section.density * shape[i];

@@ -8,7 +8,7 @@ use nalgebra::{Matrix3, Vector3};
 use pulp::{Simd, WithSimd};
 
 use super::hermite::VECTORS;
-use super::profile::{MEMBRANE, POINTS, SHEARS, ShellProfile, ShellTables};
+use super::profile::{MEMBRANE, MembraneStiffness, POINTS, SHEARS, ShellProfile, ShellTables};
 use super::rows::{Block, Row, add_products, combined};
 use super::surface_state::{BentPoint, ShellStrains, SurfaceState, VOIGT};
 
@@ -57,6 +57,8 @@ pub(crate) struct StiffnessJob<'a> {
     pub(crate) tables: &'a ShellTables,
     pub(crate) profile: &'a ShellProfile,
     pub(crate) material: f64,
+    /// Stiffness of the membrane strains in place of `material` times that of the profile.
+    pub(crate) membrane: Option<&'a MembraneStiffness>,
     pub(crate) stress: &'a ShellStrains,
     /// Zero matrix that receives the result.
     pub(crate) sum: &'a mut ShellMatrix,
@@ -67,17 +69,17 @@ impl WithSimd for StiffnessJob<'_> {
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
-        let Self { state, tables, profile, material, stress, sum } = self;
+        let Self { state, tables, profile, material, membrane, stress, sum } = self;
         if material != 0.0 {
             let mut rows = state.membrane_rows(tables);
             if profile.is_coupled {
                 add_coupling(simd, (state, tables, profile), &rows, &mut sum.0);
             }
-            profile.membrane.multiply(simd, &mut rows);
+            membrane.unwrap_or(&profile.membrane).multiply(simd, &mut rows);
             for (block, [i, j]) in sum.0.iter_mut().zip(PAIRS) {
                 add_products(simd, MEMBRANE, |t| &rows[t][i], |t| &rows[t][j], block);
             }
-            if material != 1.0 {
+            if material != 1.0 && membrane.is_none() {
                 let numbers = sum.0.iter_mut().flatten().flat_map(|row| &mut row.0);
                 numbers.for_each(|x| *x *= material);
             }

@@ -20,8 +20,8 @@ pub struct SurfaceStress {
     pub force: Vector3<f64>,
     /// Moments m = B (ε − ε⁰) + D (κ − κ⁰), moment per length, positive for tension at the top.
     pub moment: Vector3<f64>,
-    /// Strains and curvatures less the prescribed ones.
-    elastic: [Vector3<f64>; 2],
+    /// Strain energy per area.
+    energy: f64,
     /// Stresses at the surfaces [`LAYERS`].
     pub layers: [Vector3<f64>; 3],
 }
@@ -43,14 +43,27 @@ impl SurfaceStress {
         let [own, bent] = elastic.map(|x| to_section * x);
         // The transposed matrix transforms the components of stresses.
         let back = |stress: Vector3<f64>| to_section.transpose() * stress;
-        Self {
+        let (force, moment) = (
+            section.membrane * own + section.coupling * bent,
+            section.coupling * own + section.bending * bent,
+        );
+        let mut found = Self {
             strain,
             curvature,
-            force: back(section.membrane * own + section.coupling * bent),
-            moment: back(section.coupling * own + section.bending * bent),
-            elastic,
+            force: back(force),
+            moment: back(moment),
+            energy: 0.5 * (force.dot(&own) + moment.dot(&bent)),
             layers: section.surfaces.map(|at| back(at.stiffness * (own + bent * at.height))),
+        };
+        if let Some(law) = &section.law {
+            let state = law.state(&own);
+            let thickness = section.surfaces[0].height - section.surfaces[2].height;
+            found.force = back(state.force);
+            found.energy = state.energy + 0.5 * moment.dot(&bent);
+            found.layers =
+                section.surfaces.map(|at| back(state.force / thickness + at.stiffness * bent * at.height));
         }
+        found
     }
 
     /// Returns the equivalent stress of von Mises at the surfaces [`LAYERS`]: √(σ₁₁² − σ₁₁ σ₂₂ + σ₂₂² + 3 σ₁₂²) in plane stress.
@@ -73,8 +86,8 @@ impl SurfaceStress {
         })
     }
 
-    /// Returns the strain energy per area, ½ (n·(ε − ε⁰) + m·(κ − κ⁰)).
-    pub fn energy(&self) -> f64 {
-        0.5 * (self.force.dot(&self.elastic[0]) + self.moment.dot(&self.elastic[1]))
+    /// Returns the strain energy per area: ½ (n·(ε − ε⁰) + m·(κ − κ⁰)), with another law of the membrane its energy in place of the first part.
+    pub const fn energy(&self) -> f64 {
+        self.energy
     }
 }

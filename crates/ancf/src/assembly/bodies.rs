@@ -70,8 +70,10 @@ impl IndexedModel<'_> {
 
     fn shell(&self, shell: &Shell, first: usize) -> ShellMesh {
         let material = &self.materials[shell.layers()[0].0];
+        let law = shell.membrane.as_ref();
+        let law = law.and_then(|law| law.law(material.young, material.poisson, shell.thickness));
         let medium = ShellMedium {
-            section: self.laminate(shell.layup()).section(),
+            section: self.laminate(shell.layup()).section().with_law(law),
             axis: shell.fibre_axis.map(Vector3::from),
             retardation: material.damping.strain,
             mass_damping: material.damping.mass,

@@ -21,8 +21,8 @@ pub use analyses::{
 };
 pub use bodies::{
     At, Beam, Body, BodySurface, Cable, Capability, DisplayShape, EdgeName, EdgePlace, ElementMesh,
-    ElementNodes, Formulation, InitialMotion, Layer, Layup, MeshGroup, NamedPosition, NodePlace, Place,
-    PointMass, PointPlace, Rigid, Shape, ShearShell, Shell, ShellSurface, Slopes,
+    ElementNodes, Formulation, InitialMotion, Layer, Layup, Membrane, MembraneKind, MeshGroup, NamedPosition,
+    NodePlace, Place, PointMass, PointPlace, Rigid, Shape, ShearShell, Shell, ShellSurface, Slopes,
 };
 pub use contacts::{Contact, ContactSurface, Cylinder, ObstacleKind, Plane, Sphere};
 pub use functions::{Input, JointLaw, LawKind, LawSignal, LawStateEquation, LawUse, TimeFunction, Varying};

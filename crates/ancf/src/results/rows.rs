@@ -30,6 +30,7 @@ use crate::units::{Dimension, Scales, UnitQuantity};
 /// | `j.angle j.rate` | revolute and cylindrical joints: angle of `a` about the axis, with whole turns, and its rate |
 /// | `j.displacement j.speed` | prismatic and cylindrical joints: displacement along the axis, and its rate |
 /// | `j.position j.speed` | slides: arc length from the start of the undeformed beam, and its rate |
+/// | `g.volume g.pressure` | gases `g`: volume and absolute pressure |
 /// | `j.length j.speed` | distance joints and springs: distance of the ends, and its rate |
 /// | `b.axial b.bending b.shear b.torsion b.section b.volume` | strain energy of each body `b` by part, on request |
 /// | `b.cx b.cy b.cz`, `b.px ..`, `b.lx ..`, `b.kinetic b.strain` | mass center, linear and angular momentum about the origin, energies of each body `b`, on request |

@@ -103,7 +103,7 @@ impl Laminate {
         let height = 0.5 * self.thickness();
         let surfaces = [height, 0.0, -height]
             .map(|height| SurfaceMaterial { height, stiffness: self.stiffness_at(height) });
-        ShellSection { membrane, coupling, bending, density, surfaces }
+        ShellSection { membrane, coupling, bending, density, surfaces, law: None }
     }
 
     /// Returns the section of a shear-deformable shell: S = ⅚ Σ Rᵀ diag(G_LZ, G_TZ) R (z₁ − z₀), the stiffness Σ E_T (z₁ − z₀) of

@@ -1,5 +1,7 @@
 use nalgebra::{Matrix3, Vector3};
 
+use super::membrane_law::MembraneLaw;
+
 /// Stiffness of a shell per area: n = A ε + B κ, m = B ε + D κ, and its mass per area.
 ///
 /// Strains and curvatures are (11, 22, 2·12) in an orthonormal basis of the reference surface, whose first direction is that of
@@ -19,6 +21,8 @@ pub struct ShellSection {
     pub density: f64,
     /// Material at the surfaces [`LAYERS`](crate::shells::LAYERS).
     pub surfaces: [SurfaceMaterial; 3],
+    /// Law of the membrane forces in place of A ε, of a homogeneous isotropic shell.
+    pub law: Option<MembraneLaw>,
 }
 
 /// Material of a shell at a height: the stress is C (ε + z κ).
@@ -45,7 +49,14 @@ impl ShellSection {
             density: density * thickness,
             surfaces: [0.5, 0.0, -0.5]
                 .map(|part| SurfaceMaterial { height: part * thickness, stiffness: plane }),
+            law: None,
         }
+    }
+
+    /// Returns the section with another law of the membrane forces.
+    #[must_use]
+    pub fn with_law(self, law: Option<MembraneLaw>) -> Self {
+        Self { law, ..self }
     }
 
     /// Returns the matrices A, B and D for the covariant components (ξξ, ηη, 2 ξη) of strains.

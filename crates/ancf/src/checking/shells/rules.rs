@@ -26,6 +26,7 @@ pub(crate) fn shells(model: &IndexedModel<'_>) -> Vec<Finding> {
         findings.extend(rule_of_surface(&path, shell));
         findings.extend(laminates::rule_of_axis(&path, shell));
         findings.extend(laminates::layers(model, &path, shell.layup()));
+        findings.extend(rule_of_membrane(model, &path, shell));
     }
     for (path, shell) in shear_shells_of(model) {
         findings.extend(rule_of_material(model, &path, shell.layup()));
@@ -46,6 +47,33 @@ pub(crate) fn shells(model: &IndexedModel<'_>) -> Vec<Finding> {
             .push(finding("output.errors".into(), "true with a shell", expected).rests_on(["bodies".into()]));
     }
     findings
+}
+
+/// Checks that a shell with a law of the membrane has one isotropic material and no prescribed strains.
+fn rule_of_membrane(model: &IndexedModel<'_>, path: &str, shell: &Shell) -> Option<Finding> {
+    shell.membrane.as_ref()?;
+    let key = format!("{path}.membrane");
+    let is_orthotropic =
+        model.materials.get(&shell.material).is_some_and(|material| material.orthotropic.is_some());
+    let error = |found: &str, owner: String| {
+        Some(
+            finding(
+                key.clone(),
+                found,
+                "no key `membrane`, or one isotropic material without prescribed strains",
+            )
+            .rests_on([owner]),
+        )
+    };
+    if !shell.layers.is_empty() {
+        return error("a law of the membrane of a laminate", format!("{path}.layers"));
+    }
+    if is_orthotropic {
+        return error("a law of the membrane of an orthotropic material", "materials".into());
+    }
+    let strained = loads_of(model)
+        .find(|(_, load)| matches!(load, Load::SurfacePrestrain(load) if load.body == shell.name));
+    strained.and_then(|(owner, _)| error("a law of the membrane of a shell with prescribed strains", owner))
 }
 
 fn rule_of_material(model: &IndexedModel<'_>, path: &str, shell: Layup<'_>) -> Option<Finding> {

@@ -23,5 +23,8 @@ pub(crate) use shell_body::{
     axis_on_shell, edge_of_shell, named, no_projection, region_of_shell, shell_body,
 };
 pub(crate) use shells::SurfaceGeometry;
-pub use shells::{ElementMesh, ElementNodes, Layer, Layup, MeshGroup, ShearShell, Shell, ShellSurface};
+pub use shells::{
+    ElementMesh, ElementNodes, Layer, Layup, Membrane, MembraneKind, MeshGroup, ShearShell, Shell,
+    ShellSurface,
+};
 pub use surface::BodySurface;

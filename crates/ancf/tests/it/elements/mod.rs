@@ -7,6 +7,7 @@ mod formulations;
 mod laminate_stresses;
 mod laminates;
 mod large_rotations;
+mod membranes;
 mod mesh_seams;
 mod properties;
 mod redundant_edges;

@@ -3,7 +3,9 @@
 use ancf::mechanics::constraints::{ConstrainedVector, LinearConstraint};
 use ancf::mechanics::functions::Function;
 use ancf::mechanics::kinematics::Marker;
-use ancf::mechanics::shells::{ElementPatch, Shell48, ShellMedium, ShellMesh, ShellSection};
+use ancf::mechanics::shells::{
+    ElementPatch, MembraneEnergy, MembraneLaw, Shell48, ShellMedium, ShellMesh, ShellSection,
+};
 use ancf::solver::equations::Local;
 use nalgebra::{Matrix3, Rotation3, Vector3};
 
@@ -68,6 +70,26 @@ fn pressure_and_support() -> [TermCase; 2] {
     ]
 }
 
+/// Elements with other laws of the membrane. The large remaining stiffness of the tension field has a smooth energy where no principal force
+/// changes its sign.
+fn membranes() -> impl Iterator<Item = TermCase> {
+    let law = |energy, tension_field| MembraneLaw { energy, tension_field };
+    let linear = MembraneEnergy::Linear { stiffness: 7.7, poisson: 0.3 };
+    let rubber = MembraneEnergy::NeoHookean { stiffness: 2.6 };
+    let cases = [
+        ("shell membrane, linear", law(linear, None), [0.0; 2]),
+        ("shell membrane, NeoHookean", law(rubber, None), [0.0; 2]),
+        ("shell membrane, NeoHookean, damped", law(rubber, None), [0.2, 0.7]),
+    ];
+    cases.into_iter().map(|(name, law, damping)| {
+        let medium = medium(false, damping);
+        let medium = ShellMedium { section: medium.section.with_law(Some(law)), ..medium };
+        let term = Shell48::all([((0..48).collect(), reference())], &medium).swap_remove(0);
+        let kind = if damping[0] == 0.0 { TermKind::Smooth } else { TermKind::Retarded };
+        TermCase { name: name.into(), term: Box::new(term), kind }
+    })
+}
+
 /// Elements without and with coupling and damping, their loads and supports.
 pub(super) fn shell_terms() -> impl Iterator<Item = TermCase> {
     let cases = [
@@ -80,7 +102,7 @@ pub(super) fn shell_terms() -> impl Iterator<Item = TermCase> {
         term: Box::new(element(coupled, damping)),
         kind,
     });
-    elements.chain(pressure_and_support())
+    elements.chain(membranes()).chain(pressure_and_support())
 }
 
 /// A finite rigid motion of the deformed element changes no energy, and rotates its forces.

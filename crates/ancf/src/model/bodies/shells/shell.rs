@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::layer::Layer;
 use super::layup::Layup;
+use super::membrane::Membrane;
 use super::normal::is_parallel;
 use super::surface::{ShellSurface, SurfaceGeometry};
 use crate::errors::number;
@@ -40,6 +41,9 @@ pub struct Shell {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[unit(none)]
     pub fibre_axis: Option<[f64; 3]>,
+    /// Law of the membrane forces; the linear one by default.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub membrane: Option<Membrane>,
     /// Initial velocities in dynamics; at rest by default.
     #[serde(default, skip_serializing_if = "InitialMotion::is_rest")]
     pub motion: InitialMotion,

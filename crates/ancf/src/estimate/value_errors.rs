@@ -250,7 +250,7 @@ fn columns(owner: &str, names: [&str; 3], value: Vector3<f64>, error: Vector3<f6
 }
 
 /// Largest error of a displacement of a probe, relative to the displacement. `largest` is the largest displacement of the model.
-fn largest_error(
+pub(super) fn largest_error(
     displacements: &[(Vector3<f64>, Vec<ValueError>, &RecordedQuantity)],
     largest: f64,
 ) -> Option<ProbeError> {

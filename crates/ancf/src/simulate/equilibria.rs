@@ -5,6 +5,7 @@ use ancf_solver::equations::State;
 use ancf_solver::newton::Newton;
 use ancf_solver::statics::{ArcLengthSteps, EndConditions, Equilibrium, LimitPoint, PathPoint, Response};
 
+use super::finer_equilibria::{FinerEquilibria, halved_model};
 use super::run::{AnalysisRun, RunResult, turn_warning};
 use crate::assembly::Assembly;
 use crate::estimate::{DiscretisationErrors, GapField};
@@ -25,14 +26,19 @@ fn solver_values(found: &Equilibrium) -> [f64; 4] {
     [f64::from(found.iterations), found.residual, found.increment, unstable]
 }
 
-/// Estimates the errors of the mesh at an equilibrium.
+/// Estimates the errors of the mesh at an equilibrium; those of models with shells on request only, by a second solution.
 fn estimate(
     (model, assembly): (&Model, &Assembly),
     s: &State,
     scales: Scales,
+    finer: &mut Option<FinerEquilibria<'_>>,
     response: &mut Response<'_>,
 ) -> Option<DiscretisationErrors> {
-    DiscretisationErrors::new(&GapField::new(model, assembly, s), scales, response)
+    match finer {
+        Some(finer) => Some(finer.compare(s)),
+        None if model.has_shells() => None,
+        None => DiscretisationErrors::new(&GapField::new(model, assembly, s), scales, response),
+    }
 }
 
 impl AnalysisRun<'_> {
@@ -90,11 +96,17 @@ impl AnalysisRun<'_> {
             return conclude(written?, false, Ok::<_, RunFailure>(()));
         }
         let scales = self.summary.scales;
+        let halved = halved_model(model);
+        let settings_and_start = (settings, given.is_some());
+        let new = |halved| {
+            FinerEquilibria::new((model, assembly, scales), halved, settings_and_start, self.interrupt)
+        };
+        let mut finer = halved.as_ref().map(new);
         let ended = statics.advance_with(settings.load, |s, found, response| {
             self.count_equilibrium(s.load, found);
             turns.count(&mut rows, s);
             if assembly.output.errors {
-                let errors = estimate((model, assembly), s, scales, response);
+                let errors = estimate((model, assembly), s, scales, &mut finer, response);
                 let values = errors.iter().flat_map(|errors| &errors.values);
                 rows.set_errors(values.map(|value| (value.column.as_str(), value.error)));
             }
@@ -106,7 +118,7 @@ impl AnalysisRun<'_> {
         self.warn_of_instability(statics.state(), false);
         if ended.is_ok() {
             let (state, mut response) = (statics.state().clone(), |force: &[f64]| statics.response(force));
-            self.summary.errors = estimate((model, assembly), &state, scales, &mut response);
+            self.summary.errors = estimate((model, assembly), &state, scales, &mut finer, &mut response);
             let warning = self.summary.errors.as_ref().and_then(DiscretisationErrors::warning);
             self.summary.warnings.extend(warning);
         }

@@ -4,6 +4,7 @@ mod effectivities;
 mod eigenvalues;
 mod linear_problems;
 mod motions;
+mod shells;
 mod statements;
 
 use ancf::estimate::DiscretisationErrors;

@@ -3,7 +3,7 @@ use ancf_solver::equations::State;
 use super::body_errors::BodyError;
 use super::discretisation_errors::{DiscretisationErrors, EigenvalueError, Resolution};
 use super::finer::{Convergence, FinerMesh, HalvedModel, RecordedValues, ValueChange};
-use super::value_errors::{ProbeError, ValueError, largest_error};
+use super::value_errors::{ProbeError, STILL, ValueError, largest_error};
 use crate::assembly::Assembly;
 use crate::errors::percentage;
 use crate::model::{Body, Model, Quantity};
@@ -11,6 +11,8 @@ use crate::units::{Dimension, Scales};
 
 /// Relative error above which the mesh does not resolve the shape.
 const UNRESOLVED: f64 = 0.5;
+/// Displacement, relative to the largest one of a probe, above which its error states the class.
+const FAR: f64 = 0.1;
 /// Orders by which forces and stresses from second derivatives of displacements converge slower, and their lowest order.
 const DERIVATIVES: f64 = 2.0;
 const LOWEST: f64 = 1.0;
@@ -101,22 +103,25 @@ impl<'a> MeshComparison<'a> {
             ValueError { column, value, error: change * extrapolation(order) }
         };
         let values: Vec<_> = changes.into_iter().map(error).collect();
-        let displacement = self.displacement(given, &values);
-        if let Some(worst) = displacement.as_ref().filter(|worst| !(worst.relative <= UNRESOLVED)) {
-            let reason = format!(
-                "elements of half the size change the displacement of `{}` by {}",
-                worst.probe,
-                percentage(worst.relative / extrapolation(convergence.order))
-            );
+        let [worst, main] = self.displacements(given, &values);
+        if let Some(main) = main.filter(|main| main.relative > UNRESOLVED || main.relative.is_nan()) {
+            let change = main.relative / extrapolation(convergence.order);
+            let change = if change <= 1.0 { percentage(change) } else { "more than 100 %".into() };
+            let probe = &main.probe;
+            let reason =
+                format!("elements of half the size change the displacement of `{probe}` by {change}");
             return self.without_values(Resolution::Unresolved, Some(finer.elements()), Some(reason));
         }
-        let relative = displacement.as_ref().map(|worst| worst.relative);
-        let bodies = self.share(relative, convergence);
-        DiscretisationErrors { displacement, values, bodies, ..self.known(finer.elements(), convergence) }
+        let mut errors = self.known(finer.elements(), convergence);
+        if worst.as_ref().is_some_and(|worst| worst.relative > UNRESOLVED) {
+            errors.resolution = Resolution::Rough;
+        }
+        errors.bodies = self.share(worst.as_ref().map(|worst| worst.relative), convergence);
+        DiscretisationErrors { displacement: worst, values, ..errors }
     }
 
-    /// Largest relative error of the displacement of a probe.
-    fn displacement(&self, state: &State, values: &[ValueError]) -> Option<ProbeError> {
+    /// Largest relative errors of the displacements of all probes that move, and of those that move far.
+    fn displacements(&self, state: &State, values: &[ValueError]) -> [Option<ProbeError>; 2] {
         let unit = self.scales.unit(Dimension::LENGTH);
         let of_probe = |probe: &str| {
             let first = values.iter().position(|value| value.column.strip_prefix(probe) == Some(".x"))?;
@@ -127,8 +132,10 @@ impl<'a> MeshComparison<'a> {
         let errors = motions.filter_map(|probe| {
             Some((probe.place.point.displacement(state) * unit, of_probe(&probe.name)?, probe))
         });
-        let largest = self.assembly.displacement(&self.assembly.rest(), state) * unit;
-        largest_error(&errors.collect::<Vec<_>>(), largest)
+        let errors: Vec<_> = errors.collect();
+        let still = STILL * unit * self.assembly.displacement(&self.assembly.rest(), state);
+        let farthest = errors.iter().map(|(moved, ..)| moved.norm()).fold(0.0, f64::max);
+        [still, still.max(FAR * farthest)].map(|least| largest_error(&errors, least))
     }
 
     /// Contribution of the body of a model with one flexible body. The error is not divided among several bodies.

@@ -23,6 +23,8 @@ const FAILURES: usize = 2;
 const AT_NODE: f64 = 1e-9;
 /// Largest number of elements of a body.
 const ELEMENTS: usize = 100_000;
+/// Largest number of elements of a body of a model with shells, a quarter of that of the second solution.
+const SHELL_ELEMENTS: usize = ELEMENTS / 4;
 
 /// Mesh of a refinement and its error.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -133,9 +135,9 @@ impl Refinement {
             return self.next(model, |body| 2 * body.elements() as usize);
         }
         let finer = halved(model);
-        match finer.bodies.iter().find(|body| body.elements() as usize > ELEMENTS) {
+        match finer.bodies.iter().find(|body| body.elements() as usize > SHELL_ELEMENTS) {
             _ if self.meshes.len() >= MESHES => too_many_meshes(),
-            Some(body) => too_many_elements(body),
+            Some(body) => too_many_elements(body, SHELL_ELEMENTS),
             None => RefinementStep::Next(Box::new(finer)),
         }
     }
@@ -151,7 +153,7 @@ impl Refinement {
             let now = body.elements() as usize;
             let requested = nodal(model, body, count(body).min((now as f64 * LARGEST) as usize));
             if requested > ELEMENTS {
-                return too_many_elements(body);
+                return too_many_elements(body, ELEMENTS);
             }
             if requested > now {
                 has_changed = true;
@@ -170,8 +172,8 @@ fn too_many_meshes() -> RefinementStep {
     RefinementStep::Ended(format!("the error is still larger after {MESHES} meshes"))
 }
 
-fn too_many_elements(body: &Body) -> RefinementStep {
-    RefinementStep::Ended(format!("body `{}` requires more than {ELEMENTS} elements", body.name()))
+fn too_many_elements(body: &Body, limit: usize) -> RefinementStep {
+    RefinementStep::Ended(format!("body `{}` requires more than {limit} elements", body.name()))
 }
 
 /// Flexible bodies and their numbers of elements.

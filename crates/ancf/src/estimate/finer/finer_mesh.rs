@@ -21,7 +21,7 @@ impl FinerMesh {
         let elements = self
             .elements
             .map_or_else(String::new, |count| format!("; from a second solution with {count} elements"));
-        let reason = self.reason.as_ref().map_or_else(String::new, |reason| format!(", {reason}"));
+        let reason = self.reason.as_ref().map_or_else(String::new, |reason| format!("; {reason}"));
         let share = if is_divided { "" } else { "; not divided among the bodies" };
         format!("{elements}{reason}{share}")
     }

@@ -156,8 +156,11 @@ mod tests {
             assert!(turn < 1e-12, "directors of {n}: {turn:e}");
             far
         };
-        let [coarse, fine] = [3, 6].map(|n| distance(n, true));
-        assert!(coarse < 1e-3 && coarse / fine > 14.0, "{coarse:e}, {fine:e}");
+        for n in [3, 6, 12] {
+            // The middle of the cubic is at cos φ + ½ sin² φ cos φ = 1 − ⅜ φ⁴ + ..., with half the angle φ of the edge.
+            let (found, angle) = (distance(n, true), std::f64::consts::FRAC_PI_4 / f64::from(n));
+            assert!((found / (0.375 * angle.powi(4)) - 1.0).abs() < 0.05, "{n}: {found:e}");
+        }
         // The directors at the free edges are extrapolated.
         let [coarse, fine] = [4, 8].map(|n| distance(n, false));
         let chord = |n: f64| 1.0 - (std::f64::consts::FRAC_PI_4 / n).cos();

@@ -1,5 +1,6 @@
 use super::halved_mesh::halved_mesh;
 use crate::assembly::Assembly;
+use crate::errors::ModelError;
 use crate::model::{At, Body, Model, Probe, ShearShell};
 
 /// Model with twice the elements of each flexible body in each direction, and its equations.
@@ -18,10 +19,7 @@ impl HalvedModel {
         let model = halved(model);
         match model.assemble_scaled() {
             Ok(assembly) => Ok(Self { model, assembly }),
-            Err(errors) => {
-                let first = errors.0.first().map(ToString::to_string).unwrap_or_default();
-                Err(format!("the model with elements of half the size is not valid: {first}"))
-            }
+            Err(errors) => Err(errors.0.first().map_or_else(String::new, invalid)),
         }
     }
 
@@ -29,6 +27,12 @@ impl HalvedModel {
     pub(crate) fn elements(&self) -> usize {
         elements(&self.model)
     }
+}
+
+/// Description of an error of the finer model. Numbers other than those of elements and memory are in solver units and are omitted.
+fn invalid(error: &ModelError) -> String {
+    let found = if error.path == "bodies" { format!(": {}", error.found) } else { String::new() };
+    format!("`{}` is not valid with elements of half the size{found}", error.path)
 }
 
 /// Number of elements of all bodies of a model.

@@ -106,7 +106,10 @@ impl<'a> MeshComparison<'a> {
         let [worst, main] = self.displacements(given, &values);
         if let Some(main) = main.filter(|main| main.relative > UNRESOLVED || main.relative.is_nan()) {
             let change = main.relative / extrapolation(convergence.order);
-            let change = if change <= 1.0 { percentage(change) } else { "more than 100 %".into() };
+            let change = match change <= 1.0 {
+                true => percentage(change),
+                false => "more than 100 %, or lead to another equilibrium".into(),
+            };
             let probe = &main.probe;
             let reason =
                 format!("elements of half the size change the displacement of `{probe}` by {change}");

@@ -1,6 +1,6 @@
 use crate::assembly::Assembly;
 use crate::joints::End;
-use crate::model::{At, Body, Model, Origin, Place};
+use crate::model::{About, Analysis, At, Body, Model, Modes, Origin, Place};
 
 /// Order of convergence of displacements under concentrated forces on thin shells, or with joints between nodes.
 const CONCENTRATED: f64 = 2.0;
@@ -50,7 +50,8 @@ fn concentrated(model: &Model) -> Option<(f64, String)> {
         let body = model.bodies.iter().find(|body| body.name() == place.body);
         body.filter(|body| body.is_shell() && !matches!(place.at, At::Edge(_)))
     };
-    let loads = model.loads.iter().filter_map(|load| load.on());
+    let is_unloaded = matches!(&model.analysis, Analysis::Modes(Modes { about: About::Reference, .. }));
+    let loads = model.loads.iter().filter(|_| !is_unloaded).filter_map(|load| load.on());
     let joints = model.joints.iter().flat_map(|joint| {
         let (a, b) = joint.ends();
         [Some(a), if let End::Place(b) = b { Some(b) } else { None }].into_iter().flatten()

@@ -48,7 +48,7 @@ const ROUGH: f64 = 1.0;
 /// are the deformation of sections by loads beside the axis, warping, and strains and stresses.
 ///
 /// For models with shells the errors follow on request from a second solution, with twice the elements in each direction. It has four times
-/// the elements of a shell and takes four to ten times as long as the first one. Its values also contain the section forces and stresses of
+/// the elements of a shell. The run takes six to eight times as long. Its values also contain the section forces and stresses of
 /// shells. The exact solution is then that of the theory of the elements on the smooth surface through the nodes.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct DiscretisationErrors {

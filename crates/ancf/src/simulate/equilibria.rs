@@ -77,15 +77,12 @@ impl AnalysisRun<'_> {
             return Ok(Err(reason));
         }
         self.summary.initial = given.map(StartState::released);
-        let mut statics = match load_stepper(&system, settings, state, self.interrupt) {
-            Ok(statics) => statics,
-            Err(error) => return Ok(Err(error.into())),
-        };
-        if let Err(error) = statics.include_near_terms() {
-            return Ok(Err(error.into()));
-        }
-        let mut turns = match TurnCounter::new(assembly, &rows) {
-            Ok(turns) => turns,
+        let prepared = load_stepper(&system, settings, state, self.interrupt).and_then(|mut statics| {
+            statics.include_near_terms()?;
+            Ok((statics, TurnCounter::new(assembly, &rows)?))
+        });
+        let (mut statics, mut turns) = match prepared {
+            Ok(prepared) => prepared,
             Err(error) => return Ok(Err(error.into())),
         };
         turns.count(&mut rows, statics.state());
@@ -95,12 +92,9 @@ impl AnalysisRun<'_> {
         if flow(&written).is_break() {
             return conclude(written?, false, Ok::<_, RunFailure>(()));
         }
-        let scales = self.summary.scales;
+        let (scales, start) = (self.summary.scales, (settings, given.is_some()));
         let halved = halved_model(model);
-        let settings_and_start = (settings, given.is_some());
-        let new = |halved| {
-            FinerEquilibria::new((model, assembly, scales), halved, settings_and_start, self.interrupt)
-        };
+        let new = |halved| FinerEquilibria::new((model, assembly, scales), halved, start, self.interrupt);
         let mut finer = halved.as_ref().map(new);
         let ended = statics.advance_with(settings.load, |s, found, response| {
             self.count_equilibrium(s.load, found);
@@ -119,8 +113,8 @@ impl AnalysisRun<'_> {
         if ended.is_ok() {
             let (state, mut response) = (statics.state().clone(), |force: &[f64]| statics.response(force));
             self.summary.errors = estimate((model, assembly), &state, scales, &mut finer, &mut response);
-            let warning = self.summary.errors.as_ref().and_then(DiscretisationErrors::warning);
-            self.summary.warnings.extend(warning);
+            let errors = self.summary.errors.iter();
+            self.summary.warnings.extend(errors.filter_map(DiscretisationErrors::warning));
         }
         let ended = ended.map_err(|error| equilibrium_failure(assembly, statics.state(), error));
         self.summary.warnings.extend(turn_warning(&rows, "load factor", 1.0));

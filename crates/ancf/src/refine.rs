@@ -47,7 +47,7 @@ pub const fn can_refine(analysis: &Analysis) -> bool {
 
 /// Runs a model on finer meshes until the estimated error is as small as requested, or cannot be reduced.
 ///
-/// `on_mesh` receives the number of each mesh and its error.
+/// `on_mesh` receives the number of each mesh and its error. Models with shells get `output.errors = true`.
 ///
 /// # Errors
 /// If a model is not valid.
@@ -58,6 +58,8 @@ pub fn refine(
     mut on_mesh: impl FnMut(usize, &MeshStep),
 ) -> Result<RefinedModel, Error> {
     let (mut model, mut refinement) = (model.clone(), Refinement::new(requested));
+    let is_damped = matches!(&model.analysis, Analysis::Modes(modes) if modes.damped);
+    model.output.errors |= model.has_shells() && !is_damped;
     loop {
         let simulation = Simulation::new(&model)?.with_interrupt(interrupt.clone());
         let summary = simulation.run(&mut (&mut Discard as &mut dyn Sink))?;

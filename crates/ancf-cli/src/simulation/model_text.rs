@@ -1,7 +1,8 @@
 //! Changes of the text of a model file that arguments of the command line make.
 
 use ancf::Model;
-use toml_edit::{DocumentMut, Item, table, value};
+use ancf::model::Body;
+use toml_edit::{Array, DocumentMut, Item, table, value};
 
 /// Returns the text of a model file with the numbers of elements of a model.
 ///
@@ -11,9 +12,14 @@ pub fn with_elements(text: &str, model: &Model) -> anyhow::Result<String> {
     let mut document: DocumentMut = text.parse()?;
     let missing = || anyhow::anyhow!("the model file has no list `bodies`");
     let bodies = document.get_mut("bodies").ok_or_else(missing)?;
-    for (number, body) in model.bodies.iter().enumerate().filter(|(_, body)| body.elements() > 0) {
+    for (number, body) in model.bodies.iter().enumerate() {
+        let mut elements = match body {
+            Body::Shell(shell) => value(shell.elements.iter().map(|n| i64::from(*n)).collect::<Array>()),
+            Body::Beam(_) | Body::Cable(_) => value(i64::from(body.elements())),
+            // The mesh of a shell with shear is given by its nodes.
+            Body::ShearShell(_) | Body::Rigid(_) | Body::Mass(_) => continue,
+        };
         let entry = bodies.get_mut(number).and_then(|body| body.get_mut("elements")).ok_or_else(missing)?;
-        let mut elements = value(i64::from(body.elements()));
         if let (Item::Value(old), Item::Value(new)) = (&*entry, &mut elements) {
             *new.decor_mut() = old.decor().clone();
         }

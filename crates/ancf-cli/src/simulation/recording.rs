@@ -6,10 +6,10 @@ use std::ops::ControlFlow;
 use std::time::Instant;
 
 use ancf::errors::short;
-use ancf::estimate::Resolution;
+use ancf::estimate::DiscretisationErrors;
 use ancf::record::Sink;
 use ancf::solver::equations::State;
-use ancf::{Checkpoint, Model, Observer, Outcome, Simulation, StartState, Summary};
+use ancf::{Checkpoint, Model, Observer, Outcome, Simulation, StartState, Summary, can_refine};
 use ancf_results::{CheckpointInterval, Recorder};
 use anyhow::Result;
 use serde::Serialize;
@@ -92,15 +92,14 @@ pub fn record(
     summary.initial.iter().for_each(|initial| print_status(&format!("start: {}", initial.sentence())));
     print(&values.table());
     let (sentence, columns) = (values.sentence(&summary, seconds, &folder), values.columns());
-    let is_motion = model.analysis.dynamics().is_some();
-    let has_shells = model.has_shells();
+    let hint = hint_on_errors(model, &summary);
     let model = recorder.name();
     let output = RunJson { folder, model, wall_seconds: seconds, summary: &summary, columns };
     let (time, json) = (summary.time, serde_json::to_value(&output)?);
     if command == Command::Single {
         print_json(&output);
     }
-    let ended = report(&summary, &sentence, is_motion, has_shells);
+    let ended = report(&summary, &sentence, hint);
     Ok(Recorded { ended, time, json })
 }
 
@@ -116,21 +115,33 @@ pub fn run_from(
     })
 }
 
-/// Reports the end of a run: its errors, and a sentence with its outcome.
-fn report(summary: &Summary, sentence: &str, is_motion: bool, has_shells: bool) -> Ended {
+/// Statement that the errors of a run are not estimated, and of the means to estimate them.
+fn hint_on_errors(model: &Model, summary: &Summary) -> Option<&'static str> {
+    let is_motion = model.analysis.dynamics().is_some();
+    match model.has_shells() {
+        _ if summary.errors.is_some() || summary.motion_errors.is_some() => None,
+        true if can_refine(&model.analysis) => Some(
+            "errors: not estimated for shells; `--errors` states those of the mesh by a second solution with four times the elements",
+        ),
+        true => Some("errors: not estimated for shells; compare with a finer mesh"),
+        false if is_motion && summary.initial.is_none() => {
+            Some("errors: not estimated; `--errors` states those of the time steps and of the mesh")
+        }
+        false => None,
+    }
+}
+
+/// Reports the end of a run: its errors or a hint on them, and a sentence with its outcome.
+fn report(summary: &Summary, sentence: &str, hint: Option<&str>) -> Ended {
     match summary.outcome {
         Outcome::Finished => {
-            // An unresolved mesh is among the warnings.
-            let errors = summary.errors.as_ref().filter(|errors| errors.resolution != Resolution::Unresolved);
-            errors.iter().for_each(|errors| print_status(&errors.sentence()));
+            // An unresolved mesh and a failed second solution are among the warnings.
+            let errors = summary.errors.iter().map(DiscretisationErrors::sentence);
+            errors
+                .filter(|errors| !summary.warnings.contains(errors))
+                .for_each(|errors| print_status(&errors));
             summary.motion_errors.iter().for_each(|errors| print_status(&errors.sentence()));
-            if has_shells {
-                print_status("errors: not estimated for shells; compare with a finer mesh");
-            } else if is_motion && summary.initial.is_none() && summary.motion_errors.is_none() {
-                print_status(
-                    "errors: not estimated; `--errors` states those of the time steps and of the mesh",
-                );
-            }
+            hint.iter().for_each(|hint| print_status(hint));
             summary.ended_by.iter().for_each(|why| print_status(&format!("ended: {why}")));
             print_status(sentence);
             Ended::Done

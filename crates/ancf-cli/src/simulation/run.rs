@@ -32,7 +32,7 @@ pub struct RunArguments {
     /// Refine the bodies until the estimated error of the mesh is at most ERROR: 1% or 0.01 (statics, modes, buckling).
     #[arg(long, value_name = "ERROR", value_parser = requested_error)]
     to: Option<f64>,
-    /// Estimate the errors of all recorded values, columns `p.x_error` and so on, as `output.errors = true` (dynamics, statics).
+    /// Estimate the errors of all recorded values, columns `p.x_error` and so on, as `output.errors = true` (dynamics, statics; with shells statics, modes and buckling).
     #[arg(long)]
     errors: bool,
     /// Write the report of the results and open it in the browser.
@@ -170,6 +170,7 @@ impl RunArguments {
         let on_mesh = |number: usize, mesh: &MeshStep| print_status(&format!("mesh {number}: {mesh}"));
         let RefinedModel { model, simulation, history } = refine(&model, requested, &interrupt()?, on_mesh)?;
         let text = with_elements(&text, &model)?;
+        let text = if model.output.errors { with_errors(&text)? } else { text };
         let recorded = record(Command::Single, &model, recorder(&text, &model, &simulation), |observer| {
             let mut summary = simulation.run(observer)?;
             history.add_to(&mut summary);

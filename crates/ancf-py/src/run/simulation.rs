@@ -5,7 +5,7 @@ use std::io;
 use std::path::Path;
 use std::sync::Arc;
 
-use ancf::model::{Analysis, ModelErrors, Units};
+use ancf::model::{Analysis, Body, ModelErrors, Units};
 use ancf::{
     Column, Error, GivenState, Model, RefinedModel, RefinementHistory, StartState, Summary, can_refine,
     refine,
@@ -148,18 +148,29 @@ impl Simulation {
     }
 }
 
-/// Copies the data of a model with the numbers of elements of another one.
+/// Copies the data of a model with the numbers of elements of another one, and with its request of errors.
 fn with_elements<'py>(data: &Bound<'py, PyAny>, model: &Model) -> PyResult<Bound<'py, PyAny>> {
     let (py, copy) = (data.py(), data.call_method0("copy")?);
     let bodies = PyList::empty(py);
     for (entry, body) in data.get_item("bodies")?.try_iter()?.zip(&model.bodies) {
         let entry = entry?.call_method0("copy")?;
-        if body.elements() > 0 {
-            entry.set_item("elements", body.elements())?;
+        match body {
+            Body::Shell(shell) => entry.set_item("elements", shell.elements)?,
+            Body::Beam(_) | Body::Cable(_) => entry.set_item("elements", body.elements())?,
+            // The mesh of a shell with shear is given by its nodes.
+            Body::ShearShell(_) | Body::Rigid(_) | Body::Mass(_) => {}
         }
         bodies.append(entry)?;
     }
     copy.set_item("bodies", bodies)?;
+    if model.output.errors {
+        let output = match copy.get_item("output") {
+            Ok(output) if !output.is_none() => output.call_method0("copy")?,
+            _ => PyDict::new(py).into_any(),
+        };
+        output.set_item("errors", true)?;
+        copy.set_item("output", output)?;
+    }
     Ok(copy)
 }
 

@@ -54,6 +54,11 @@ impl BodyError {
         field.bodies().map(|(number, body)| of_body((number, body.mesh.count()))).collect()
     }
 
+    /// Number of elements of a single flexible body for a relative error of 1 %, at an order of convergence by their number.
+    pub(super) fn elements_for_one_percent(&self, order: f64) -> usize {
+        self.elements_for(WANTED, 1, order)
+    }
+
     /// Number of elements, at least one, for a relative error to which a number of bodies contributes in equal parts, at an order of
     /// convergence.
     pub(super) fn elements_for(&self, expected: f64, contributing: usize, order: f64) -> usize {

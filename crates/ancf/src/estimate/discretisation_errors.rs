@@ -2,6 +2,7 @@ use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
 
 use super::body_errors::BodyError;
+use super::finer::FinerMesh;
 use super::gap_field::GapField;
 use super::value_errors::{ProbeError, ValueError, ValueErrors};
 use crate::assembly::RecordedQuantity;
@@ -15,12 +16,13 @@ pub enum Resolution {
     /// The gaps add up to less than 0.3 rad: the estimate is accurate.
     Good,
     /// The estimate states the order of magnitude: the gaps add up to at most 1 rad, taut elements are neither rods nor strings,
-    /// elements are strongly curved, contacts are active, or loads within elements are not known in detail.
+    /// elements are strongly curved, contacts are active, or loads within elements are not known in detail. With shells, loads or joints
+    /// act at points.
     Rough,
     /// The elements do not resolve the shape.
     Unresolved,
     /// Joints act between the nodes of elements, the tension of a taut element vanishes at an end, or the response of the
-    /// structure to the gaps is not known, such as near a critical load.
+    /// structure to the gaps is not known, such as near a critical load. With shells, the second solution failed.
     Unknown,
 }
 
@@ -44,17 +46,21 @@ const ROUGH: f64 = 1.0;
 ///
 /// The exact solution is that of Reissner's and Simo's rod with the stiffness EA, GA, GJ and EI of the sections. Not included
 /// are the deformation of sections by loads beside the axis, warping, and strains and stresses.
+///
+/// For models with shells the errors follow on request from a second solution, with twice the elements in each direction. It has four times
+/// the elements of a shell. The run takes six to eight times as long. Its values also contain the section forces and stresses of
+/// shells. The exact solution is then that of the theory of the elements on the smooth surface through the nodes.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct DiscretisationErrors {
     /// Class of the estimate.
     pub resolution: Resolution,
-    /// Largest sum of the gaps of the elements of a body, or largest rotation of the response to the gaps, in rad.
+    /// Largest sum of the gaps of the elements of a body, or largest rotation of the response to the gaps, in rad; 0 with shells.
     pub gaps: f64,
-    /// Body with the largest sum of gaps, and its number of elements.
+    /// Body with the largest sum of gaps, with shells that with most elements, and its number of elements.
     pub body: String,
     /// Number of elements of this body.
     pub elements: usize,
-    /// Bound of the relative difference between the rod and the strains of the elements.
+    /// Bound of the relative difference between the rod and the strains of the elements; 0 with shells.
     pub law: f64,
     /// Largest relative error of the displacement of a probe; `None` without probes that move.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -62,12 +68,15 @@ pub struct DiscretisationErrors {
     /// Modes and buckling: the largest relative error of a frequency or load factor.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub eigenvalue: Option<EigenvalueError>,
-    /// Contributions of the flexible bodies.
+    /// Contributions of the flexible bodies. Models with shells and several bodies have none.
     #[serde(default)]
     pub bodies: Vec<BodyError>,
     /// Errors of positions, rotations, section forces, reactions and joint coordinates, or of frequencies and load factors
     /// (`frequency[1]`, ...); empty unless the class is good or rough.
     pub values: Vec<ValueError>,
+    /// Models with shells: second solution from which the errors follow.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub finer: Option<FinerMesh>,
 }
 
 impl DiscretisationErrors {
@@ -142,6 +151,7 @@ impl DiscretisationErrors {
             eigenvalue: None,
             bodies: BodyError::of_gaps(field),
             values: Vec::new(),
+            finer: None,
         })
     }
 

@@ -5,9 +5,10 @@ use ancf_mechanics::rods::RodSection;
 use ancf_solver::equations::{State, Term};
 use nalgebra::Matrix3;
 
+use super::finer::has_poisson_locking;
 use super::rod_sections::RodSections;
 use crate::assembly::{Assembly, RecordedQuantity};
-use crate::model::{Body, Model};
+use crate::model::Model;
 
 /// Mean of 16 ξ² (1 − ξ)².
 const BUBBLE: f64 = 8.0 / 15.0;
@@ -270,13 +271,6 @@ impl GapForces {
         };
         self.parts.iter().map(of_body).collect()
     }
-}
-
-/// True for elements whose bending stiffness is too large by Poisson's ratio on any mesh.
-fn has_poisson_locking(model: &Model, body: &Body) -> bool {
-    let is_continuum = matches!(body, Body::Beam(beam) if beam.formulation.is_continuum());
-    let material = body.section_and_material().and_then(|(_, name)| model.materials.get(name));
-    is_continuum && material.is_some_and(|material| material.poisson != 0.0)
 }
 
 impl BodyGaps<'_> {

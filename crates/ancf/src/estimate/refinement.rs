@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::body_errors::NEGLIGIBLE;
 use super::discretisation_errors::{DiscretisationErrors, Resolution};
+use super::finer::halved;
 use crate::errors::percentage;
 use crate::joints::End;
 use crate::model::{Body, Model};
@@ -22,6 +23,8 @@ const FAILURES: usize = 2;
 const AT_NODE: f64 = 1e-9;
 /// Largest number of elements of a body.
 const ELEMENTS: usize = 100_000;
+/// Largest number of elements of a body of a model with shells, a quarter of that of the second solution.
+const SHELL_ELEMENTS: usize = ELEMENTS / 4;
 
 /// Mesh of a refinement and its error.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -74,7 +77,7 @@ impl Refinement {
     /// Returns the next model after a run of `model` with these errors.
     ///
     /// Each body is refined by the factor that its contribution requires for the order of convergence of its elements, at most four.
-    /// Where the mesh does not resolve the shape, all bodies get twice the number of elements.
+    /// Where the mesh does not resolve the shape, and in models with shells, all bodies get twice the number of elements in each direction.
     pub fn advance(&mut self, model: &Model, errors: Option<&DiscretisationErrors>) -> RefinementStep {
         let Some(errors) = errors else {
             return RefinementStep::Ended("this analysis has no estimate of the error of the mesh".into());
@@ -84,7 +87,7 @@ impl Refinement {
         self.meshes.push(MeshStep { elements: elements_of(model), error });
         match (errors.resolution, error) {
             (Resolution::Unknown, _) => RefinementStep::Ended("the error of this mesh is not known".into()),
-            (Resolution::Unresolved, _) => self.next(model, |body| 2 * body.elements() as usize),
+            (Resolution::Unresolved, _) => self.halve(model),
             (_, None) => {
                 RefinementStep::Ended("no probe moves, so there is no error of a displacement".into())
             }
@@ -95,6 +98,7 @@ impl Refinement {
                     percentage(error)
                 ))
             }
+            _ if model.has_shells() => self.halve(model),
             _ => {
                 let contributing = errors.bodies.iter().filter(|body| body.share > NEGLIGIBLE).count();
                 self.next(model, |body| {
@@ -116,13 +120,32 @@ impl Refinement {
         if has_failed {
             return RefinementStep::Ended("the run on this mesh failed".into());
         }
-        self.next(model, |body| 2 * body.elements() as usize)
+        self.halve(model)
+    }
+
+    /// Returns the model with twice the elements in each direction.
+    fn halve(&self, model: &Model) -> RefinementStep {
+        if let Some(shell) = model.bodies.iter().find(|body| body.shear_shell().is_some()) {
+            return RefinementStep::Ended(format!(
+                "the nodes of shear-deformable shell `{}` are given; create its mesh with smaller elements",
+                shell.name()
+            ));
+        }
+        if !model.has_shells() {
+            return self.next(model, |body| 2 * body.elements() as usize);
+        }
+        let finer = halved(model);
+        match finer.bodies.iter().find(|body| body.elements() as usize > SHELL_ELEMENTS) {
+            _ if self.meshes.len() >= MESHES => too_many_meshes(),
+            Some(body) => too_many_elements(body, SHELL_ELEMENTS),
+            None => RefinementStep::Next(Box::new(finer)),
+        }
     }
 
     /// Returns the model with more elements.
     fn next(&self, model: &Model, count: impl Fn(&Body) -> usize) -> RefinementStep {
         if self.meshes.len() >= MESHES {
-            return RefinementStep::Ended(format!("the error is still larger after {MESHES} meshes"));
+            return too_many_meshes();
         }
         let mut next = model.clone();
         let mut has_changed = false;
@@ -130,10 +153,7 @@ impl Refinement {
             let now = body.elements() as usize;
             let requested = nodal(model, body, count(body).min((now as f64 * LARGEST) as usize));
             if requested > ELEMENTS {
-                return RefinementStep::Ended(format!(
-                    "body `{}` requires more than {ELEMENTS} elements",
-                    body.name()
-                ));
+                return too_many_elements(body, ELEMENTS);
             }
             if requested > now {
                 has_changed = true;
@@ -146,6 +166,14 @@ impl Refinement {
             RefinementStep::Ended("no body contributes to the error".into())
         }
     }
+}
+
+fn too_many_meshes() -> RefinementStep {
+    RefinementStep::Ended(format!("the error is still larger after {MESHES} meshes"))
+}
+
+fn too_many_elements(body: &Body, limit: usize) -> RefinementStep {
+    RefinementStep::Ended(format!("body `{}` requires more than {limit} elements", body.name()))
 }
 
 /// Flexible bodies and their numbers of elements.

@@ -10,40 +10,58 @@ const LARGE: f64 = 0.1;
 impl DiscretisationErrors {
     /// Sentence for the end of a run: the error of the displacement of a probe, or what is not known.
     pub fn sentence(&self) -> String {
-        let Self { resolution, gaps, body, elements, law, displacement, .. } = self;
-        match resolution {
-            Resolution::Unresolved => self.unresolved(),
-            Resolution::Unknown => {
+        match (self.resolution, &self.finer) {
+            (Resolution::Unresolved, _) => self.unresolved(),
+            (Resolution::Unknown, Some(finer)) => {
+                format!("mesh: the error is not known: {}", finer.reason.as_deref().unwrap_or_default())
+            }
+            (Resolution::Unknown, None) => {
                 "mesh: the error is not known: joints act within elements, the tension of a coarse taut element vanishes at its \
                  end, or a critical load is near; in modes the stressed state is not resolved, in buckling the loads bend \
                  the structure"
                     .into()
             }
-            Resolution::Good | Resolution::Rough => {
-                let about = if *resolution == Resolution::Rough { "about " } else { "" };
-                let end = format!("; section law within {}", percentage(*law));
-                if let Some(error) = &self.eigenvalue {
-                    let about = if error.relative.abs() > LARGE { "about " } else { about };
-                    return format!("mesh: {}{end}", error.sentence(about));
-                }
-                match displacement {
-                    Some(error) => format!("mesh: {}{end}", error.sentence(about)),
-                    None => format!(
-                        "mesh: the elements of body `{body}` ({elements}) differ from the exact rod by {} rad in total{end}",
-                        short(round(*gaps))
-                    ),
-                }
+            (Resolution::Good | Resolution::Rough, finer) => {
+                let ending = match finer {
+                    Some(finer) => finer.ending(!self.bodies.is_empty()),
+                    None => format!("; section law within {}", percentage(self.law)),
+                };
+                format!("mesh: {}{ending}", self.largest_in_words())
             }
         }
     }
 
-    /// Warning if the elements do not resolve the shape.
+    /// Largest relative error.
+    fn largest_in_words(&self) -> String {
+        let Self { resolution, gaps, body, elements, displacement, finer, .. } = self;
+        let about = if *resolution == Resolution::Rough { "about " } else { "" };
+        match (&self.eigenvalue, displacement) {
+            (Some(error), _) => error.sentence(if error.relative.abs() > LARGE { "about " } else { about }),
+            (None, Some(error)) => error.sentence(about),
+            (None, None) if finer.is_some() => "no probe that moves records its position".into(),
+            (None, None) => format!(
+                "the elements of body `{body}` ({elements}) differ from the exact rod by {} rad in total",
+                short(round(*gaps))
+            ),
+        }
+    }
+
+    /// Warning if the elements do not resolve the shape, or if a second solution does not state the error.
     pub(crate) fn warning(&self) -> Option<String> {
-        (self.resolution == Resolution::Unresolved).then(|| self.unresolved())
+        let is_warning = match self.resolution {
+            Resolution::Unresolved => true,
+            Resolution::Unknown => self.finer.is_some(),
+            Resolution::Good | Resolution::Rough => false,
+        };
+        is_warning.then(|| self.sentence())
     }
 
     fn unresolved(&self) -> String {
         let Self { gaps, body, elements, .. } = self;
+        if let Some(finer) = &self.finer {
+            let reason = finer.reason.as_deref().unwrap_or_default();
+            return format!("mesh: not resolved: {reason}; use more elements");
+        }
         format!(
             "mesh: not resolved: the {elements} elements of body `{body}` differ from the exact rod by {} rad in total; use more \
              elements",

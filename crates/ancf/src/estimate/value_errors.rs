@@ -15,7 +15,7 @@ use crate::units::{Dimension, Scales};
 /// Largest relative movement of the states between which values are differentiated.
 const DIFFERENCE: f64 = 1e-4;
 /// Displacement, relative to the largest one of the model, below which a probe does not move.
-const STILL: f64 = 1e-9;
+pub(super) const STILL: f64 = 1e-9;
 
 /// Dimensions of forces and moments.
 const WRENCH: [Dimension; 2] = [Dimension::FORCE, Dimension::ENERGY];
@@ -126,7 +126,7 @@ impl<'a> ValueErrors<'a> {
         }
         values.extend(self.of_joints());
         let moved = assembly.displacement(&assembly.rest(), state) * self.unit(Dimension::LENGTH);
-        (values, largest_error(&displacements, moved))
+        (values, largest_error(&displacements, STILL * moved))
     }
 
     /// Errors of the columns of a probe; `None` for strains, stresses and quantities that it does not have.
@@ -249,10 +249,10 @@ fn columns(owner: &str, names: [&str; 3], value: Vector3<f64>, error: Vector3<f6
     (0..3).map(one).collect()
 }
 
-/// Largest error of a displacement of a probe, relative to the displacement. `largest` is the largest displacement of the model.
-fn largest_error(
+/// Largest error of a displacement of a probe, relative to the displacement. Probes with displacements up to `least` do not move.
+pub(super) fn largest_error(
     displacements: &[(Vector3<f64>, Vec<ValueError>, &RecordedQuantity)],
-    largest: f64,
+    least: f64,
 ) -> Option<ProbeError> {
     let error_of = |(moved, errors, probe): &(Vector3<f64>, Vec<ValueError>, &RecordedQuantity)| {
         let (error, size) = (Vector3::from_fn(|k, _| errors[k].error), moved.norm());
@@ -266,7 +266,6 @@ fn largest_error(
             error: worst.error,
         }
     };
-    let moving =
-        displacements.iter().filter(|(moved, ..)| moved.norm() > STILL * largest && moved.norm() > 0.0);
+    let moving = displacements.iter().filter(|(moved, ..)| moved.norm() > least);
     moving.map(error_of).max_by(|a, b| a.relative.total_cmp(&b.relative))
 }

@@ -1,4 +1,4 @@
-use ancf_mechanics::kinematics::NodalVector;
+use ancf_mechanics::kinematics::{NodalVector, VectorKind};
 use ancf_solver::equations::State;
 use nalgebra::Vector3;
 
@@ -22,7 +22,7 @@ struct GivenBody {
     vectors: Vec<GivenVector>,
 }
 
-/// Nodal vector: a position, or a direction relative to the magnitude of its reference value.
+/// Nodal vector: a position, or a derivative relative to the magnitude of its reference value or of that of a tangent.
 #[derive(Clone, Debug, PartialEq)]
 struct GivenVector {
     is_position: bool,
@@ -54,8 +54,9 @@ impl GivenState {
     pub(crate) fn new(assembly: &Assembly, scales: Scales, state: &State, source: String) -> Self {
         let rest = assembly.rest();
         let bodies = assembly.bodies().map(|(name, body)| {
-            let vectors =
-                body.vectors(&rest).into_iter().map(|vector| GivenVector::new(&vector, scales, state));
+            let vectors = body.vectors(&rest);
+            let pairs = vectors.iter().zip(units(&vectors, scales));
+            let vectors = pairs.map(|(vector, unit)| GivenVector::new(vector, unit, scales, state));
             GivenBody { name: name.to_owned(), vectors: vectors.collect() }
         });
         let joints = assembly.joints.iter().map(|joint| {
@@ -94,10 +95,10 @@ impl GivenState {
             if let Some(difference) = given.difference(&vectors, scales) {
                 return Err(self.mismatch(format!("{difference} body {}", quoted(name))));
             }
-            vectors
-                .iter()
-                .zip(&given.vectors)
-                .for_each(|(vector, given)| given.write(vector, scales, &mut s));
+            let units = units(&vectors, scales);
+            for ((vector, unit), given) in vectors.iter().zip(units).zip(&given.vectors) {
+                given.write(vector.first, unit, scales, &mut s);
+            }
         }
         for joint in assembly.joints.iter().filter(|joint| !joint.coordinates.is_empty()) {
             // The coordinates of a new joint follow from the projection of the positions.
@@ -134,15 +135,32 @@ impl GivenState {
 /// User's units of the coordinates of an assembly: lengths, magnitudes of reference directions, and those of joints.
 pub(crate) fn coordinate_units(assembly: &Assembly, scales: Scales) -> Vec<f64> {
     let rest = assembly.rest();
-    let mut units = vec![1.0; rest.q.len()];
-    for vector in assembly.bodies().flat_map(|(_, body)| body.vectors(&rest)) {
-        let unit = if vector.is_position() { scales.length } else { vector.value.norm().recip() };
-        units[vector.first..vector.first + 3].fill(unit);
+    let mut all = vec![1.0; rest.q.len()];
+    for (_, body) in assembly.bodies() {
+        let vectors = body.vectors(&rest);
+        for (vector, unit) in vectors.iter().zip(units(&vectors, scales)) {
+            all[vector.first..vector.first + 3].fill(unit);
+        }
     }
     for c in assembly.joints.iter().flat_map(|joint| joint.coordinates.clone()) {
-        units[c] = unit_of_coordinate(assembly, c, scales);
+        all[c] = unit_of_coordinate(assembly, c, scales);
     }
-    units
+    all
+}
+
+/// User's units of the nodal vectors of a body at rest. The mixed derivative of a flat patch is zero: its unit is that of the tangent
+/// before it.
+fn units(vectors: &[NodalVector], scales: Scales) -> Vec<f64> {
+    let mut last = 1.0;
+    let unit = |vector: &NodalVector| match vector.kind {
+        VectorKind::Position => scales.length,
+        VectorKind::Twist => last,
+        _ => {
+            last = vector.value.norm().recip();
+            last
+        }
+    };
+    vectors.iter().map(unit).collect()
 }
 
 /// User's unit of a coordinate of a joint or a gas: that of lengths and volumes, otherwise 1.
@@ -161,21 +179,18 @@ impl GivenBody {
         }
         let positions = || self.vectors.iter().filter(|vector| vector.is_position);
         let size = positions().map(|vector| vector.reference.norm()).fold(0.0, f64::max);
-        let is_same = |(given, vector): (&GivenVector, &NodalVector)| {
-            let (own, size) = match given.is_position {
-                true => (vector.value * scales.length, size),
-                false => (vector.value.normalize(), 1.0),
-            };
-            (own - given.reference).norm() <= EQUAL * size
+        let is_same = |((given, vector), unit): ((&GivenVector, &NodalVector), f64)| {
+            let size = if given.is_position { size } else { 1.0 };
+            (vector.value * unit - given.reference).norm() <= EQUAL * size
         };
-        (!self.vectors.iter().zip(vectors).all(is_same)).then_some("another undeformed shape or place of")
+        (!self.vectors.iter().zip(vectors).zip(units(vectors, scales)).all(is_same))
+            .then_some("another undeformed shape or place of")
     }
 }
 
 impl GivenVector {
-    fn new(reference: &NodalVector, scales: Scales, s: &State) -> Self {
+    fn new(reference: &NodalVector, unit: f64, scales: Scales, s: &State) -> Self {
         let (first, is_position) = (reference.first, reference.is_position());
-        let unit = if is_position { scales.length } else { reference.value.norm().recip() };
         let part = |x: &[f64]| Vector3::from_column_slice(&x[first..first + 3]);
         Self {
             is_position,
@@ -185,11 +200,9 @@ impl GivenVector {
         }
     }
 
-    /// Writes the vector into a state in solver units.
-    fn write(&self, reference: &NodalVector, scales: Scales, s: &mut State) {
-        let first = reference.first;
-        let unit = if self.is_position { scales.length.recip() } else { reference.value.norm() };
-        s.q[first..first + 3].copy_from_slice((self.change * unit).as_slice());
-        s.v[first..first + 3].copy_from_slice((self.rate * (unit * scales.time)).as_slice());
+    /// Writes the vector into a state in solver units, from its first coordinate on.
+    fn write(&self, first: usize, unit: f64, scales: Scales, s: &mut State) {
+        s.q[first..first + 3].copy_from_slice((self.change / unit).as_slice());
+        s.v[first..first + 3].copy_from_slice((self.rate * (scales.time / unit)).as_slice());
     }
 }

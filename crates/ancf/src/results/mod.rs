@@ -12,4 +12,4 @@ pub(crate) use angle_counter::AngleRates;
 pub use column::Column;
 pub use fields::{Field, Fields, Station};
 pub use rows::Rows;
-pub(crate) use rows::{LOAD, RowHistory, TIME, columns};
+pub(crate) use rows::{LOAD, RESULTANTS, RowHistory, SURFACE_STRESS, TIME, columns};

@@ -66,8 +66,10 @@ pub(crate) struct RowHistory {
 /// Indices of a symmetric matrix in the order of columns.
 const ENTRIES: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)];
 
+/// Columns of the membrane forces and moments of a shell.
+pub(crate) const RESULTANTS: [&str; 6] = ["nuu", "nvv", "nuv", "muu", "mvv", "muv"];
 /// Columns of the stresses of a shell.
-const SURFACE_STRESS: [&str; 10] = [
+pub(crate) const SURFACE_STRESS: [&str; 10] = [
     "suu_top",
     "svv_top",
     "suv_top",
@@ -123,7 +125,7 @@ pub(crate) fn columns(assembly: &Assembly, first: &str, solver: &[&str]) -> Vec<
     columns
 }
 
-/// Columns of the estimated errors of positions, rotations, section forces, reactions and joint coordinates.
+/// Columns of the estimated errors of positions, rotations, section forces, stresses of shells, reactions and joint coordinates.
 fn error_columns(assembly: &Assembly) -> Vec<Column> {
     if !assembly.output.errors {
         return Vec::new();
@@ -133,12 +135,9 @@ fn error_columns(assembly: &Assembly) -> Vec<Column> {
         let count = match probe.quantity {
             Quantity::Motion => 3,
             Quantity::Rotation => 4,
-            Quantity::SectionForces => 6,
-            Quantity::Strain
-            | Quantity::Stress
-            | Quantity::InertialSensor
-            | Quantity::Resultants
-            | Quantity::SurfaceStress => 0,
+            Quantity::SectionForces | Quantity::Resultants => 6,
+            Quantity::SurfaceStress => SURFACE_STRESS.len(),
+            Quantity::Strain | Quantity::Stress | Quantity::InertialSensor => 0,
         };
         values.extend(columns_of_probe(&probe.name, probe.quantity).into_iter().take(count));
     }
@@ -181,11 +180,10 @@ fn columns_of_probe(name: &str, quantity: Quantity) -> Vec<Column> {
             let rates = rates.map(|rate| rate.with_quantity(UnitQuantity::Angle)).collect();
             [of(&["imu_ax", "imu_ay", "imu_az"], Dimension::ACCELERATION), rates].concat()
         }
-        Quantity::Resultants => [
-            of(&["nuu", "nvv", "nuv"], Dimension::FORCE_PER_LENGTH),
-            of(&["muu", "mvv", "muv"], Dimension::FORCE),
-        ]
-        .concat(),
+        Quantity::Resultants => {
+            [of(&RESULTANTS[..3], Dimension::FORCE_PER_LENGTH), of(&RESULTANTS[3..], Dimension::FORCE)]
+                .concat()
+        }
         Quantity::SurfaceStress => of(&SURFACE_STRESS, Dimension::STRESS),
     }
 }

@@ -5,6 +5,7 @@ use ancf_solver::equations::State;
 use ancf_solver::newton::Newton;
 use ancf_solver::statics::{ArcLengthSteps, EndConditions, Equilibrium, LimitPoint, PathPoint, Response};
 
+use super::finer_equilibria::{FinerEquilibria, halved_model};
 use super::run::{AnalysisRun, RunResult, turn_warning};
 use crate::assembly::Assembly;
 use crate::estimate::{DiscretisationErrors, GapField};
@@ -25,14 +26,19 @@ fn solver_values(found: &Equilibrium) -> [f64; 4] {
     [f64::from(found.iterations), found.residual, found.increment, unstable]
 }
 
-/// Estimates the errors of the mesh at an equilibrium.
+/// Estimates the errors of the mesh at an equilibrium; those of models with shells on request only, by a second solution.
 fn estimate(
     (model, assembly): (&Model, &Assembly),
     s: &State,
     scales: Scales,
+    finer: &mut Option<FinerEquilibria<'_>>,
     response: &mut Response<'_>,
 ) -> Option<DiscretisationErrors> {
-    DiscretisationErrors::new(&GapField::new(model, assembly, s), scales, response)
+    match finer {
+        Some(finer) => Some(finer.compare(s)),
+        None if model.has_shells() => None,
+        None => DiscretisationErrors::new(&GapField::new(model, assembly, s), scales, response),
+    }
 }
 
 impl AnalysisRun<'_> {
@@ -71,15 +77,12 @@ impl AnalysisRun<'_> {
             return Ok(Err(reason));
         }
         self.summary.initial = given.map(StartState::released);
-        let mut statics = match load_stepper(&system, settings, state, self.interrupt) {
-            Ok(statics) => statics,
-            Err(error) => return Ok(Err(error.into())),
-        };
-        if let Err(error) = statics.include_near_terms() {
-            return Ok(Err(error.into()));
-        }
-        let mut turns = match TurnCounter::new(assembly, &rows) {
-            Ok(turns) => turns,
+        let prepared = load_stepper(&system, settings, state, self.interrupt).and_then(|mut statics| {
+            statics.include_near_terms()?;
+            Ok((statics, TurnCounter::new(assembly, &rows)?))
+        });
+        let (mut statics, mut turns) = match prepared {
+            Ok(prepared) => prepared,
             Err(error) => return Ok(Err(error.into())),
         };
         turns.count(&mut rows, statics.state());
@@ -89,12 +92,15 @@ impl AnalysisRun<'_> {
         if flow(&written).is_break() {
             return conclude(written?, false, Ok::<_, RunFailure>(()));
         }
-        let scales = self.summary.scales;
+        let (scales, start) = (self.summary.scales, (settings, given.is_some()));
+        let halved = halved_model(model);
+        let new = |halved| FinerEquilibria::new((model, assembly, scales), halved, start, self.interrupt);
+        let mut finer = halved.as_ref().map(new);
         let ended = statics.advance_with(settings.load, |s, found, response| {
             self.count_equilibrium(s.load, found);
             turns.count(&mut rows, s);
             if assembly.output.errors {
-                let errors = estimate((model, assembly), s, scales, response);
+                let errors = estimate((model, assembly), s, scales, &mut finer, response);
                 let values = errors.iter().flat_map(|errors| &errors.values);
                 rows.set_errors(values.map(|value| (value.column.as_str(), value.error)));
             }
@@ -106,9 +112,9 @@ impl AnalysisRun<'_> {
         self.warn_of_instability(statics.state(), false);
         if ended.is_ok() {
             let (state, mut response) = (statics.state().clone(), |force: &[f64]| statics.response(force));
-            self.summary.errors = estimate((model, assembly), &state, scales, &mut response);
-            let warning = self.summary.errors.as_ref().and_then(DiscretisationErrors::warning);
-            self.summary.warnings.extend(warning);
+            self.summary.errors = estimate((model, assembly), &state, scales, &mut finer, &mut response);
+            let errors = self.summary.errors.iter();
+            self.summary.warnings.extend(errors.filter_map(DiscretisationErrors::warning));
         }
         let ended = ended.map_err(|error| equilibrium_failure(assembly, statics.state(), error));
         self.summary.warnings.extend(turn_warning(&rows, "load factor", 1.0));

@@ -1,8 +1,7 @@
 use std::io;
 
 use super::error::Error;
-use super::outcome::outcome;
-use super::run::{AnalysisRun, Checkpoint, Observer, ResumeError, RunResult, Simulation, Summary};
+use super::run::{AnalysisRun, Checkpoint, Observer, ResumeError, RunResult, Simulation, Summary, outcome};
 use super::{dynamics, eigen, equilibria};
 use crate::failure::{EquilibriumStability, StabilityMonitor};
 use crate::initial::StartState;

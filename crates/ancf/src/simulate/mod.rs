@@ -5,18 +5,17 @@ mod eigen;
 mod equilibria;
 mod error;
 mod execute;
-mod outcome;
+mod finer_equilibria;
 mod run;
 
 pub(crate) use dynamics::{COLUMNS, energy_warnings};
 pub use error::Error;
 pub use execute::simulate;
-pub(crate) use outcome::outcome;
 pub use run::{
     Checkpoint, EigenvalueCount, Extension, Observer, Outcome, ResumeError, Simulation, SimulationBuilder,
     Summary,
 };
 pub(crate) use run::{
-    SMALL_REMAINDER, StepCounts, TIME_TOLERANCE, error_control, fingerprint, hash_of, newton_method, started,
-    turn_warning,
+    SMALL_REMAINDER, StepCounts, TIME_TOLERANCE, error_control, fingerprint, hash_of, newton_method, outcome,
+    started, turn_warning,
 };

@@ -7,8 +7,8 @@ use crate::errors::{Finding, finding, number, quoted};
 use crate::joints::{ClampedGradients, End, Joint};
 use crate::loads::Load;
 use crate::model::{
-    At, Body, IndexedModel, Layup, Place, Shell, ShellSurface, SurfaceGeometry, joints_of, loads_of,
-    shear_shells_of, shells_of,
+    Analysis, At, Body, IndexedModel, Layup, Modes, Place, Shell, ShellSurface, SurfaceGeometry, joints_of,
+    loads_of, shear_shells_of, shells_of,
 };
 
 /// Largest angle of an element of a surface of revolution. Beyond it, the interpolated surface differs from it by more than 0.1 %.
@@ -41,11 +41,7 @@ pub(crate) fn shells(model: &IndexedModel<'_>) -> Vec<Finding> {
     findings.extend(loads_of(model).filter_map(|(path, load)| rule_of_load(model, &path, load)));
     findings.extend(rules_of_probes(model));
     findings.extend(rules_of_contacts(model));
-    if model.output.errors {
-        let expected = "false: the errors of meshes of shells are not estimated; compare with a finer mesh";
-        findings
-            .push(finding("output.errors".into(), "true with a shell", expected).rests_on(["bodies".into()]));
-    }
+    findings.extend(rule_of_errors(model));
     findings
 }
 
@@ -74,6 +70,18 @@ fn rule_of_membrane(model: &IndexedModel<'_>, path: &str, shell: &Shell) -> Opti
     let strained = loads_of(model)
         .find(|(_, load)| matches!(load, Load::SurfacePrestrain(load) if load.body == shell.name));
     strained.and_then(|(owner, _)| error("a law of the membrane of a shell with prescribed strains", owner))
+}
+
+/// Checks that errors of meshes with shells are estimated in statics, undamped modes and buckling only.
+fn rule_of_errors(model: &IndexedModel<'_>) -> Option<Finding> {
+    let found = match &model.analysis {
+        _ if !model.output.errors => return None,
+        Analysis::Dynamics(_) => "true for a motion with a shell",
+        Analysis::Modes(Modes { damped: true, .. }) => "true for damped modes with a shell",
+        _ => return None,
+    };
+    let expected = "false: with shells, errors are estimated in statics, undamped modes and buckling; compare with a finer mesh";
+    Some(finding("output.errors".into(), found, expected).rests_on(["analysis".into(), "bodies".into()]))
 }
 
 fn rule_of_material(model: &IndexedModel<'_>, path: &str, shell: Layup<'_>) -> Option<Finding> {

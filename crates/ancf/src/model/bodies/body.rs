@@ -101,10 +101,11 @@ impl Body {
         }
     }
 
-    /// Order of convergence of displacements by the number of elements.
+    /// Order of convergence of displacements by the size of the elements.
     pub(crate) const fn convergence_order(&self) -> f64 {
         match self {
             Self::Beam(beam) if beam.formulation.has_shear_locking() => 2.0,
+            Self::ShearShell(_) => 2.0,
             _ => 4.0,
         }
     }

@@ -1,12 +1,15 @@
 use ancf_solver::eigen::{CriticalLoad, CriticalLoads, EigenError, buckling};
 use ancf_solver::equations::{EquationsOfMotion, State};
+use ancf_solver::newton::Interrupt;
 
+use super::finer_values::of_equal_signs;
 use super::shapes::{BUCKLING_COLUMNS, MAX_RESIDUAL};
-use crate::estimate::{DiscretisationErrors, FactorErrors, GapField};
-use crate::failure::{prebuckling_warning, require_support, unloaded};
+use crate::assembly::Assembly;
+use crate::estimate::{DiscretisationErrors, FactorErrors, GapField, HalvedModel};
+use crate::failure::{RunFailure, prebuckling_warning, require_support, unloaded};
 use crate::model::{Buckling, Model};
-use crate::simulate::run::EigenvalueCount;
-use crate::simulate::run::{AnalysisRun, RunResult};
+use crate::simulate::run::{AnalysisRun, EigenvalueCount, RunResult, finer_failure};
+use crate::units::Scales;
 
 /// Critical load factor that may be a rounding error.
 const LARGE_FACTOR: f64 = 1e9;
@@ -15,18 +18,28 @@ const LARGE_FACTOR: f64 = 1e9;
 const NO_CRITICAL_LOAD: &str = "there is no critical load factor: the loads do not soften the structure in this direction, beyond \
     rounding errors";
 
+/// Computes the critical loads of the unloaded state.
+fn critical_loads(
+    assembly: &Assembly,
+    scales: Scales,
+    settings: &Buckling,
+    interrupt: &Interrupt,
+) -> Result<CriticalLoads, RunFailure> {
+    let (system, s) = (&assembly.system, unloaded(assembly));
+    require_support(assembly, &s, scales)?;
+    let (count, sense) = (settings.count as usize, settings.sense.into());
+    Ok(match system.with_active_terms(&s) {
+        Some((complete, matrix)) => buckling(&complete, matrix, &s, count, sense, interrupt)?,
+        None => buckling(system, system.matrix(), &s, count, sense, interrupt)?,
+    })
+}
+
 impl AnalysisRun<'_> {
     /// Computes critical loads, one row per load.
     pub(crate) fn buckling(&mut self, model: &Model, settings: &Buckling) -> RunResult {
         self.begin(&BUCKLING_COLUMNS)?;
-        let (system, s) = (&self.assembly.system, unloaded(self.assembly));
-        let found = require_support(self.assembly, &s, self.summary.scales).and_then(|()| {
-            let (count, sense) = (settings.count as usize, settings.sense.into());
-            Ok(match system.with_active_terms(&s) {
-                Some((complete, matrix)) => buckling(&complete, matrix, &s, count, sense, self.interrupt)?,
-                None => buckling(system, system.matrix(), &s, count, sense, self.interrupt)?,
-            })
-        });
+        let s = unloaded(self.assembly);
+        let found = critical_loads(self.assembly, self.summary.scales, settings, self.interrupt);
         match found {
             Ok(found) if found.loads.iter().any(|load| load.residual > MAX_RESIDUAL) => {
                 Ok(Err(EigenError::NotConverged.into()))
@@ -46,7 +59,10 @@ impl AnalysisRun<'_> {
                 }));
                 let scales = self.summary.scales;
                 self.summary.warnings.extend(prebuckling_warning(self.assembly, &s, &found, scales));
-                let errors = self.estimate_factors(model, &s, &found);
+                let errors = match model.has_shells() {
+                    true => self.compare_factors(model, settings, &found),
+                    false => self.estimate_factors(model, &s, &found),
+                };
                 let row = |(load, error): (&CriticalLoad, &f64)| {
                     vec![load.factor, load.residual, load.factor * error]
                 };
@@ -56,6 +72,20 @@ impl AnalysisRun<'_> {
             }
             Err(reason) => Ok(Err(reason)),
         }
+    }
+
+    /// Estimates the errors of critical load factors of a model with shells on request, relative to them, by a second solution.
+    fn compare_factors(&mut self, model: &Model, settings: &Buckling, found: &CriticalLoads) -> Vec<f64> {
+        let (scales, interrupt) = (self.summary.scales, self.interrupt);
+        let values =
+            |found: &CriticalLoads| -> Vec<f64> { found.loads.iter().map(|load| load.factor).collect() };
+        let given = values(found);
+        let solution = |halved: &HalvedModel| {
+            let finer = critical_loads(&halved.assembly, scales, settings, interrupt);
+            let finer = finer.map_err(|error| finer_failure(error, halved, scales))?;
+            Ok(of_equal_signs(&given, &values(&finer)))
+        };
+        self.compare_eigenvalues(model, ("factor", &given), None, solution)
     }
 
     /// Estimates the errors of critical load factors, relative to them.

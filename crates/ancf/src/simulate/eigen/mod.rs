@@ -2,6 +2,7 @@
 
 mod critical;
 mod damped;
+mod finer_values;
 mod natural;
 mod shapes;
 

@@ -1,12 +1,15 @@
 use ancf_solver::eigen::{ComplexMode, EigenError, Mode, SturmCount, modes, nonconservative_modes};
 use ancf_solver::equations::{EquationsOfMotion, State};
+use ancf_solver::newton::Interrupt;
 
-use super::shapes::{MAX_RESIDUAL, MODE_COLUMNS};
-use crate::estimate::{DiscretisationErrors, FrequencyErrors, GapField};
+use super::finer_values::GIVEN_START;
+use super::shapes::{MAX_RESIDUAL, MODE_COLUMNS, state_about};
+use crate::assembly::Assembly;
+use crate::estimate::{DiscretisationErrors, FrequencyErrors, GapField, HalvedModel};
+use crate::failure::RunFailure;
 use crate::initial::StartState;
 use crate::model::{Model, Modes};
-use crate::simulate::run::EigenvalueCount;
-use crate::simulate::run::{AnalysisRun, RunResult};
+use crate::simulate::run::{AnalysisRun, EigenvalueCount, RunResult, finer_failure};
 
 /// Warning of modes whose number is not verified.
 const UNVERIFIED: &str = "the number of modes is not verified: the inertia of the shifted stiffness is not known beyond rounding errors. \
@@ -70,6 +73,27 @@ impl FoundMode {
     }
 }
 
+impl FoundModes {
+    /// Computes a number of modes about a state.
+    fn new(assembly: &Assembly, s: &State, count: usize, interrupt: &Interrupt) -> Result<Self, RunFailure> {
+        let system = &assembly.system;
+        let complete = system.with_active_terms(s);
+        let (system, matrix) =
+            complete.as_ref().map_or((system, system.matrix()), |(system, matrix)| (system, matrix.clone()));
+        if !system.skew_damping(s).is_empty() {
+            return Err(EigenError::Gyroscopic.into());
+        }
+        if !system.skew_stiffness(s).is_empty() {
+            let found = nonconservative_modes(system, matrix, s, count, interrupt)?;
+            let modes = found.into_iter().map(FoundMode::from).collect();
+            return Ok(Self { modes, rigid: 0, sturm: None, is_nonconservative: true });
+        }
+        let found = modes(system, matrix, s, count, interrupt)?;
+        let modes = found.modes.into_iter().map(FoundMode::from).collect();
+        Ok(Self { modes, rigid: found.rigid, sturm: found.sturm, is_nonconservative: false })
+    }
+}
+
 impl AnalysisRun<'_> {
     /// Computes natural modes about the undeformed state, or about an equilibrium that may start from a given state, one row per mode.
     pub(crate) fn modes(&mut self, model: &Model, settings: &Modes, given: Option<&StartState>) -> RunResult {
@@ -77,24 +101,9 @@ impl AnalysisRun<'_> {
             return self.damped_modes(model, settings, given);
         }
         self.begin(&MODE_COLUMNS)?;
-        let count = settings.count as usize;
         let found = self.state_about(model, settings.about, given).and_then(|s| {
-            let system = &self.assembly.system;
-            let complete = system.with_active_terms(&s);
-            let (system, matrix) = complete
-                .as_ref()
-                .map_or((system, system.matrix()), |(system, matrix)| (system, matrix.clone()));
-            if !system.skew_damping(&s).is_empty() {
-                return Err(EigenError::Gyroscopic.into());
-            }
-            if !system.skew_stiffness(&s).is_empty() {
-                let found = nonconservative_modes(system, matrix, &s, count, self.interrupt)?;
-                let modes = found.into_iter().map(FoundMode::from).collect();
-                return Ok((s, FoundModes { modes, rigid: 0, sturm: None, is_nonconservative: true }));
-            }
-            let found = modes(system, matrix, &s, count, self.interrupt)?;
-            let modes = found.modes.into_iter().map(FoundMode::from).collect();
-            Ok((s, FoundModes { modes, rigid: found.rigid, sturm: found.sturm, is_nonconservative: false }))
+            let found = FoundModes::new(self.assembly, &s, settings.count as usize, self.interrupt)?;
+            Ok((s, found))
         });
         let rate = self.summary.scales.time.recip();
         match found {
@@ -103,7 +112,9 @@ impl AnalysisRun<'_> {
                 Ok(Err(EigenError::NotConverged.into()))
             }
             Ok((about, mut found)) => {
-                if !found.is_nonconservative {
+                if model.has_shells() {
+                    self.compare_frequencies((model, settings), given.is_some(), &mut found);
+                } else if !found.is_nonconservative {
                     self.estimate(model, &about, &mut found.modes);
                 }
                 self.summary.warnings.extend(self.held_but_zero(&about, found.rigid));
@@ -118,6 +129,42 @@ impl AnalysisRun<'_> {
             }
             Err(reason) => Ok(Err(reason)),
         }
+    }
+
+    /// Estimates the errors of the frequencies of a model with shells on request, by a second solution. `is_given` is true if the
+    /// analysis starts in a given state.
+    fn compare_frequencies(
+        &mut self,
+        (model, settings): (&Model, &Modes),
+        is_given: bool,
+        found: &mut FoundModes,
+    ) {
+        let (scales, interrupt) = (self.summary.scales, self.interrupt);
+        let values = |found: &FoundModes| -> Vec<f64> {
+            found.modes.iter().map(|mode| mode.frequency / scales.time).collect()
+        };
+        let finer = |HalvedModel { model, assembly }: &HalvedModel| {
+            let about = state_about((model, assembly, scales), settings.about, None, interrupt)?;
+            FoundModes::new(assembly, &about, settings.count as usize, interrupt)
+        };
+        let given = &*found;
+        let compared = |finer: FoundModes| match given.sturm.is_some() && finer.sturm.is_some() {
+            _ if finer.rigid != given.rigid => {
+                Err("the numbers of zero frequencies of both meshes differ".into())
+            }
+            false => Err("the number of modes is not verified".to_owned()),
+            true => Ok(values(&finer)),
+        };
+        let obstacle = match given.is_nonconservative {
+            true => Some("the loads have no potential"),
+            false => is_given.then_some(GIVEN_START),
+        };
+        let solution = |halved: &HalvedModel| {
+            compared(finer(halved).map_err(|error| finer_failure(error, halved, scales))?)
+        };
+        let frequencies = values(given);
+        let errors = self.compare_eigenvalues(model, ("frequency", &frequencies), obstacle, solution);
+        found.modes.iter_mut().zip(errors).for_each(|(mode, error)| mode.error = error);
     }
 
     /// Estimates the errors of the frequencies.

@@ -2,6 +2,7 @@ use std::io;
 use std::ops::ControlFlow;
 
 use ancf_solver::equations::State;
+use ancf_solver::newton::Interrupt;
 
 use crate::assembly::Assembly;
 use crate::failure::{RunFailure, unloaded};
@@ -9,7 +10,7 @@ use crate::initial::{EquilibriumSearch, StartState};
 use crate::model::{About, Model, Statics};
 use crate::results::Column;
 use crate::simulate::run::{AnalysisRun, RunResult};
-use crate::units::{Dimension, UnitQuantity};
+use crate::units::{Dimension, Scales, UnitQuantity};
 
 /// Upper limit on the relative residual of a mode.
 pub(super) const MAX_RESIDUAL: f64 = 1e-3;
@@ -41,6 +42,20 @@ pub(crate) fn columns(assembly: &Assembly, solver: &[&str]) -> Vec<Column> {
     columns
 }
 
+/// Computes the state about which a model in solver units is linearised.
+pub(super) fn state_about(
+    (model, assembly, scales): (&Model, &Assembly, Scales),
+    about: About,
+    given: Option<&StartState>,
+    interrupt: &Interrupt,
+) -> Result<State, RunFailure> {
+    if about == About::Reference {
+        return Ok(unloaded(assembly));
+    }
+    let settings = &Statics::default();
+    EquilibriumSearch { model, scales, assembly, settings, interrupt, given }.run(&mut |_, _| ())
+}
+
 impl AnalysisRun<'_> {
     /// Computes the state about which the model is linearised.
     pub(super) fn state_about(
@@ -49,13 +64,10 @@ impl AnalysisRun<'_> {
         about: About,
         given: Option<&StartState>,
     ) -> Result<State, RunFailure> {
-        if about == About::Reference {
-            return Ok(unloaded(self.assembly));
+        if about == About::Equilibrium {
+            self.summary.initial = given.map(StartState::released);
         }
-        let (assembly, interrupt, scales) = (self.assembly, self.interrupt, self.summary.scales);
-        self.summary.initial = given.map(StartState::released);
-        let settings = &Statics::default();
-        EquilibriumSearch { model, scales, assembly, settings, interrupt, given }.run(&mut |_, _| ())
+        state_about((model, self.assembly, self.summary.scales), about, given, self.interrupt)
     }
 
     pub(super) fn begin(&mut self, solver: &[&str]) -> io::Result<()> {

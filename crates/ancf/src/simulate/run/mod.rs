@@ -4,6 +4,7 @@ mod analysis_run;
 mod checkpoint;
 mod end_conditions;
 mod observer;
+mod outcome;
 mod simulation;
 mod step_control;
 mod summary;
@@ -13,6 +14,7 @@ pub use checkpoint::{Checkpoint, ResumeError};
 pub(crate) use checkpoint::{StepCounts, fingerprint, hash_of};
 pub(crate) use end_conditions::EndConditions;
 pub use observer::Observer;
+pub(crate) use outcome::{finer_failure, outcome};
 pub use simulation::{Extension, Simulation, SimulationBuilder};
 pub(crate) use step_control::{
     SMALL_REMAINDER, StepControl, TIME_TOLERANCE, error_control, newton_method, started,

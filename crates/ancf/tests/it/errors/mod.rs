@@ -4,6 +4,8 @@ mod effectivities;
 mod eigenvalues;
 mod linear_problems;
 mod motions;
+mod shell_statements;
+mod shells;
 mod statements;
 
 use ancf::estimate::DiscretisationErrors;

@@ -157,3 +157,31 @@ fn structures_are_compared() {
         "{message}"
     );
 }
+
+/// A flat plate has the mixed derivative zero in its reference state. Modes about the equilibrium of a state in other units are those
+/// about the same equilibrium.
+#[test]
+fn equilibrium_of_a_thin_plate_is_given() {
+    let plate = |analysis: &str, scales: &str| {
+        parse(&format!(
+            r#"{scales}
+            materials.m = {{ young = 1.2e6, poisson = 0.3, density = 1000 }}
+            bodies = [{{ kind = "shell", name = "s", elements = [3, 2], thickness = 0.1, material = "m",
+              surface = {{ kind = "flat", corner = [0, 0, 0], side_u = [10, 0, 0], side_v = [1, 2, 0] }} }}]
+            joints = [{{ kind = "support", name = "root", a = {{ body = "s", at = {{ edge = "u_start" }} }}, condition = "clamped" }}]
+            loads = [{{ kind = "edge_force", body = "s", edge = "u_end", force = [0, 0, 2] }}]
+            probes = [{{ name = "p", on = {{ body = "s", at = [1, 0.5] }} }}]
+            analysis = {{ {analysis} }}"#
+        ))
+    };
+    let modes = r#"kind = "modes", about = "equilibrium", count = 3"#;
+    let statics = Simulation::new(&plate(r#"kind = "statics""#, "")).unwrap();
+    let bent = run(&statics);
+    assert!(bent.last("p.z") > 1.0, "a large deflection: {}", bent.last("p.z"));
+    let model = plate(modes, r#"scales = { kind = "given", length = 0.01, time = 3, force = 700 }"#);
+    let (given, _) = run_from(&model, &statics, bent.states.last().unwrap());
+    let own = run(&Simulation::new(&plate(modes, "")).unwrap());
+    for (given, own) in given.column("frequency").iter().zip(own.column("frequency")) {
+        assert!((given / own - 1.0).abs() < 1e-6, "{given} and {own}");
+    }
+}

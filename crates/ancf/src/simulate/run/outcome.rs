@@ -2,9 +2,10 @@ use std::ops::ControlFlow;
 
 use ancf_solver::newton::{SolveError, SolveFailure};
 
-use super::run::Outcome;
+use super::summary::Outcome;
 use crate::assembly::Assembly;
 use crate::errors::quoted;
+use crate::estimate::HalvedModel;
 use crate::failure::{self, FailureCause, FailurePlace, RunFailure};
 use crate::model::Model;
 use crate::units::Scales;
@@ -49,6 +50,15 @@ pub(crate) fn outcome(
             failed(0.0, reason, at, advice)
         }
     }
+}
+
+/// Reason of the failure of a second solution, with elements of half the size.
+pub(crate) fn finer_failure(failure: RunFailure, halved: &HalvedModel, scales: Scales) -> String {
+    let reason = match outcome(Err(failure), &halved.model, &halved.assembly, scales) {
+        Outcome::Failed { reason, .. } => reason,
+        Outcome::Finished | Outcome::Stopped => "it was interrupted".into(),
+    };
+    format!("the solution with elements of half the size failed: {reason}")
 }
 
 /// Place of a failure that has no place.

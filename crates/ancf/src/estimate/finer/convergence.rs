@@ -35,6 +35,7 @@ impl Convergence {
         let limits = [
             (!model.contacts.is_empty()).then(|| (IRREGULAR, "the model has contacts".to_owned())),
             concentrated(model),
+            wrinkled(model),
             assembly.inner_loads.has_joints.then(|| (CONCENTRATED, "joints act within elements".to_owned())),
         ];
         let lowest = limits.into_iter().flatten().min_by(|a, b| a.0.total_cmp(&b.0));
@@ -61,6 +62,16 @@ fn concentrated(model: &Model) -> Option<(f64, String)> {
     let lowest = found.min_by(|a, b| order(a).total_cmp(&order(b)))?;
     let reason = format!("forces act at points of shell `{}`", lowest.name());
     Some((order(lowest), reason))
+}
+
+/// Order of values with a tension field, whose strains have kinks at the edges of wrinkled regions, and the reason.
+fn wrinkled(model: &Model) -> Option<(f64, String)> {
+    let has_wrinkles = |body: &Body| match body {
+        Body::Shell(shell) => shell.membrane.as_ref().is_some_and(|membrane| membrane.tension_field),
+        _ => false,
+    };
+    let body = model.bodies.iter().find(|body| has_wrinkles(body))?;
+    Some((CONCENTRATED, format!("shell `{}` is a tension field", body.name())))
 }
 
 /// True for elements whose bending stiffness is too large by Poisson's ratio on any mesh.

@@ -4,6 +4,7 @@ mod dynamics;
 mod elements;
 mod forces;
 mod joints;
+mod membranes;
 mod meshes;
 mod models;
 mod rigid_bodies;
@@ -57,7 +58,7 @@ pub fn all() -> impl Iterator<Item = &'static Problem> {
     let small = [statics::beams::PROBLEMS, statics::curved::PROBLEMS, stability::columns::PROBLEMS];
     let families = small.into_iter().chain(bodies).chain(forces::FAMILIES).chain(vibrations::FAMILIES);
     let families = families.chain(meshes::FAMILIES).chain(shells::FAMILIES).chain(shear_shells::FAMILIES);
-    let families = families.chain(sheets::FAMILIES);
+    let families = families.chain(sheets::FAMILIES).chain(membranes::FAMILIES);
     SINGLE.iter().chain(families.flatten())
 }
 

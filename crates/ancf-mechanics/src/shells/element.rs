@@ -250,7 +250,7 @@ impl Term for Shell48 {
     }
 
     fn has_stress_prediction(&self) -> bool {
-        self.nonlinear.is_none()
+        true
     }
 
     fn stress_prediction(&self, at: &Local<'_>, from: &Local<'_>, k: &mut LocalMatrix<'_>) {
@@ -260,7 +260,14 @@ impl Term for Shell48 {
         let mut strains = before.strains;
         strains.add(1.0, &linear);
         strains.add(-1.0, &state.strains);
-        let stress = self.profile.stress(&self.tables, &strains);
+        let mut stress = self.profile.stress(&self.tables, &strains);
+        if let Some(membrane) = &self.nonlinear {
+            stress.membrane =
+                membrane.stiffness(self.data(), &before.strains, [1.0, 0.0]).stress(&linear.membrane);
+            let [then, now] = [&before, &state].map(|state| membrane.stress(self.data(), &state.strains));
+            let changes = then.membrane.iter().zip(&now.membrane).map(|(then, now)| then - now);
+            stress.membrane.iter_mut().zip(changes).for_each(|(sum, change)| *sum += change);
+        }
         self.stiffness(&state, (0.0, None), &stress).add_to(k);
     }
 

@@ -11,7 +11,7 @@ pub(super) const PROBLEMS: &[Problem] = &[Problem {
     source: "Neo-Hookean law. Uniaxial: F = G h b (λ - λ⁻²), width b λ^(-1/2). Equal in both directions: F = G h b (λ - λ⁻⁵). Tube with fixed ends: p = \
              G h (1 - λ⁻⁴)/R",
     sketch: r"
-   +------+ -> F         b = 1, R = 1, h = 0.01, G = E/3 = 1
+   +------+ -> F         b = 1, R = 1, h = 0.001, G = E/3 = 1
    |      |              stretch λ up to 4
    +------+",
     goal: "Stretches within 1e-8 for the sheet, which has uniform strains, and within 1e-3 for a quarter of the tube with 8 elements",
@@ -19,7 +19,7 @@ pub(super) const PROBLEMS: &[Problem] = &[Problem {
 }];
 
 /// Thickness.
-const H: f64 = 0.01;
+const H: f64 = 0.001;
 
 fn support(edge: &str) -> String {
     format!(

@@ -106,7 +106,8 @@ impl MembraneEnergy {
     /// State of a membrane that cannot bear compression.
     fn relaxed(&self, [e1, e2]: [f64; 2]) -> PrincipalState {
         let flat = self.flat([e1, e2]);
-        if flat.force[1] > 0.0 {
+        // Without strain the membrane has the stiffness of tension, from which iterations start.
+        if flat.force[1] >= 0.0 {
             return flat;
         }
         if e1 <= 0.0 {

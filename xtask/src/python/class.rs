@@ -65,7 +65,7 @@ impl Block {
 
     fn field(&mut self, schema: &Json, form: &Form, key: &Key) -> String {
         let mut hint = hint(schema, key.schema, &mut self.uses);
-        if let Some((part, _)) = names::instead(form.definition, key.name) {
+        if let Some((part, _)) = names::instead(form.definition, &form.class, key.name) {
             self.uses(&[part]);
             hint += &format!(" | {part}");
         }
@@ -159,7 +159,7 @@ fn docstring(schema: &Json, form: &Form, is_shared: bool) -> String {
     let attribute = |name: &str, meaning: &str| format!("    {name}\n{}", wrapped(meaning, 8, 8));
     let name = is_shared.then(|| attribute("name", NAME));
     let keys = form.keys.iter().map(|key| {
-        let instead = names::instead(form.definition, key.name)
+        let instead = names::instead(form.definition, &form.class, key.name)
             .map_or_else(String::new, |(_, text)| format!(" {text}"));
         attribute(&names::attribute(key.name), &(meaning(schema, key) + &instead))
     });

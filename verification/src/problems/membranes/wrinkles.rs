@@ -9,9 +9,9 @@ pub(super) const PROBLEMS: &[Problem] = &[Problem {
     source: "Stein & Hedgepeth (1961). Beyond M = P H/6 the strip is wrinkled over H - c, c = 3 (H/2 - M/P), and κ = 2 P/(E h c²); below, κ = 12 M/(E h H³)",
     sketch: r"
     | ~~~~~~~~ |            H = 1, L = 1, h = 0.01, E = 3, ν = 0
-  P <|========|> P          P = 3e-6, M/(P H) = 0.1, 0.2, 0.3, 0.4
+  P <|========|> P          P = 3e-7, M/(P H) = 0.1, 0.2, 0.3, 0.4
     |    M     |            plane of symmetry on the left, rigid edge on the right",
-    goal: "Rotation of the edge within 1 % with 40 elements over the height; 1e-4 of the energy against compression remains",
+    goal: "Rotation of the edge within 1 % with 20 elements over the height; 1e-4 of the energy against compression remains",
     run: wrinkles,
 }];
 
@@ -19,7 +19,7 @@ pub(super) const PROBLEMS: &[Problem] = &[Problem {
 fn rotation(ratio: f64, field: bool) -> Result<f64, VerificationError> {
     let solved = solve(&format!(
         "analysis = {{ kind = \"statics\" }}\nmaterials.m = {{ density = 1, young = 3, poisson = 0 }}\n\
-         [[bodies]]\nkind = \"shell\"\nname = \"s\"\nelements = [2, 40]\nthickness = 0.01\nmaterial = \"m\"\nmembrane = {{ tension_field = {field} }}\n\
+         [[bodies]]\nkind = \"shell\"\nname = \"s\"\nelements = [2, 20]\nthickness = 0.01\nmaterial = \"m\"\nmembrane = {{ tension_field = {field} }}\n\
          surface = {{ kind = \"flat\", corner = [0, 0, 0], side_u = [1, 0, 0], side_v = [0, 1, 0] }}\n\
          [[bodies]]\nkind = \"rigid\"\nname = \"hub\"\ncenter = [1, 0.5, 0]\nmass = 1\ninertia = [1, 1, 1]\n\
          [[joints]]\nkind = \"support\"\nname = \"l\"\na = {{ body = \"s\", at = {{ edge = \"u_start\" }} }}\ncondition = \"symmetry\"\n\
@@ -35,7 +35,7 @@ fn rotation(ratio: f64, field: bool) -> Result<f64, VerificationError> {
     Ok(2.0 * solved.last("p.e3")?.asin())
 }
 
-const TENSION: f64 = 3e-6;
+const TENSION: f64 = 3e-7;
 /// E h.
 const STIFFNESS: f64 = 0.03;
 

@@ -32,6 +32,8 @@ __all__ = [
     "InitialMotion",
     "Layer",
     "LoftedSurface",
+    "Membrane",
+    "MembraneKind",
     "MeshGroup",
     "PointMass",
     "RevolvedSurface",
@@ -198,6 +200,41 @@ class Layer(Part):
     angle: float | None = None
     material: str | None = None
     thickness: float | None = None
+
+
+MembraneKind: TypeAlias = Literal["linear", "neo_hookean"]
+"""Law of a membrane.
+
+* ``"linear"``: Linear in Green's strains, in plane stress.
+* ``"neo_hookean"``: Incompressible rubber with the shear modulus E/3, for any stretch. Poisson's ratio is
+  that of bending only.
+"""
+
+
+@checked_arguments
+@dataclass(kw_only=True, slots=True, eq=False, repr=False)
+class Membrane(Part):
+    """Law of the membrane forces of a thin shell of one isotropic material.
+
+    The bending stiffness remains linear.
+
+    Attributes
+    ----------
+    law
+        Law without wrinkles. One of ``"linear"``, ``"neo_hookean"``. Default: ``"linear"``.
+    slack
+        Part of the energy against compression that remains in a tension field (>= 1e-6, <= 1.0). Default:
+        ``0.0001``.
+    tension_field
+        True for a tension field: wrinkles in place of compressive forces. Default: ``False``.
+
+    """
+
+    _form = "Membrane"
+
+    law: MembraneKind | None = None
+    slack: float | None = None
+    tension_field: bool | None = None
 
 
 @checked_arguments
@@ -707,6 +744,8 @@ class Shell(Surface):
         Axis whose projection on the surface has the fibre angle zero; by default the direction of u.
     layers
         Layers from the lower to the upper side in the direction of the normal; by default a single one.
+    membrane
+        Law of the membrane forces; the linear one by default.
     motion
         Initial velocities in dynamics; at rest by default.
 
@@ -726,6 +765,7 @@ class Shell(Surface):
     material: str | Material
     fibre_axis: Vector | None = None
     layers: Sequence[Layer] | None = None
+    membrane: Membrane | None = None
     motion: InitialMotion | None = None
 
 

@@ -24,6 +24,8 @@ __all__ = [
     "ExternalForce",
     "FluidLoad",
     "Force",
+    "Gas",
+    "GasSurface",
     "Input",
     "Load",
     "Moment",
@@ -33,6 +35,30 @@ __all__ = [
     "SurfacePressure",
     "SurfacePrestrain",
 ]
+
+
+@checked_arguments
+@dataclass(kw_only=True, slots=True, eq=False, repr=False)
+class GasSurface(Part):
+    """Surface around a gas.
+
+    Attributes
+    ----------
+    body
+        Name of the shell. Its normal, that of u and v or of the order of the nodes of elements, points out of
+        the gas.
+    region
+        Name of a group of elements of a shear-deformable shell; the whole shell by default.
+    reversed
+        True if the normal points into the gas. Default: ``False``.
+
+    """
+
+    _form = "GasSurface"
+
+    body: str
+    region: str | None = None
+    reversed: bool | None = None
 
 
 @checked_arguments
@@ -283,6 +309,51 @@ class SurfacePressure(Part):
     body: str
     pressure: float
     region: str | None = None
+    time: TimeFunction | None = None
+
+
+@checked_arguments
+@dataclass(kw_only=True, slots=True, eq=False, repr=False)
+class Gas(Part):
+    """Gas in a volume V that shells enclose, of one pressure p = p₀ (m(t) V₀/V)^κ.
+
+    V₀ is the volume of the undeformed shells, p₀ the pressure there, κ the exponent. The gas has no mass. The
+    load factor s of statics brings the gas from the pressure outside, p_a, to p₀: p₀ is replaced by p_a + s
+    (p₀ − p_a).
+
+    Attributes
+    ----------
+    name
+        Name of the columns of pressure and volume. Or the function itself, F(t, x, v).
+    surfaces
+        Shells around the gas.
+    pressure
+        Absolute pressure p₀ in the undeformed volume, force/length² (>= 0).
+    ambient
+        Absolute pressure p_a outside, force/length². With the default 0, ``pressure`` is that in a vacuum (>=
+        0). Default: ``0.0``.
+    apex
+        Point to which the edges of openings are connected by straight lines. With symmetry planes, a point in
+        all of them.
+    exponent
+        Exponent κ: 1 at constant temperature, 1.4 in air without heat exchange, 0 at constant pressure (>=
+        0.0, <= 10.0). Default: ``1.0``.
+    time
+        Amount of gas m as a function of time, relative to that of ``pressure``. Added gas has the state of
+        the gas inside. Statics ignores it. Default: ``1.0``.
+
+    """
+
+    _form = "Load"
+    _tag = "kind"
+    kind: ClassVar[Literal["gas"]] = "gas"
+
+    name: str | ForceFunction = field(kw_only=False)
+    surfaces: Sequence[GasSurface]
+    pressure: float
+    ambient: float | None = None
+    apex: Vector | None = None
+    exponent: float | None = None
     time: TimeFunction | None = None
 
 
@@ -562,6 +633,7 @@ Load: TypeAlias = (
     | EdgeMoment
     | SurfaceForce
     | SurfacePressure
+    | Gas
     | SurfaceFluid
     | BaseAcceleration
     | BaseRotation

@@ -31,9 +31,9 @@ pub struct Gas {
     /// Exponent κ: 1 at constant temperature, 1.4 in air without heat exchange, 0 at constant pressure.
     #[serde(default = "isothermal")]
     #[unit(number)]
-    #[schemars(range(min = 0.0, max = 10.0))]
+    #[schemars(extend("minimum" = 0, "maximum" = 10))]
     pub exponent: f64,
-    /// Point to which the edges of openings are connected by straight lines. With symmetry planes, a point in all of them.
+    /// Point to which the edges of openings are connected by straight lines, length. With symmetry planes, a point in all of them.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[unit(length)]
     pub apex: Option<[f64; 3]>,

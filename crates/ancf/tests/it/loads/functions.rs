@@ -238,6 +238,7 @@ loads = [
   {{ kind = "edge_moment", body = "b", edge = "u_end", moment = [0, 0, 1], {time} }},
   {{ kind = "surface_force", body = "b", force = [0, 0, 1], {time} }},
   {{ kind = "surface_pressure", body = "b", pressure = 1, {time} }},
+  {{ kind = "gas", name = "g", surfaces = [{{ body = "b" }}], pressure = 1, {time} }},
   {{ kind = "surface_prestrain", body = "b", strain = [0.1, 0, 0], {time} }},
   {{ kind = "surface_fluid", body = "b", density = 1, drag = [1, 1], {time} }},
 ]

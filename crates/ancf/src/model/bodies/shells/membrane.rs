@@ -18,7 +18,7 @@ pub struct Membrane {
     /// Part of the energy against compression that remains in a tension field.
     #[serde(default = "slack")]
     #[unit(number)]
-    #[schemars(range(min = 1e-6, max = 1.0))]
+    #[schemars(extend("minimum" = 1e-6, "maximum" = 1))]
     pub slack: f64,
 }
 

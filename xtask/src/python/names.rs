@@ -187,7 +187,7 @@ pub(super) fn positional(class: &str) -> &'static [&'static str] {
 
 /// Returns the table of the model to which a key refers by name.
 pub(super) fn table(definition: &str, key: &str) -> Option<&'static str> {
-    match instead(definition, key)? {
+    match instead(definition, "", key)? {
         ("Section", _) => Some("sections"),
         ("Material", _) => Some("materials"),
         _ => None,

@@ -223,7 +223,7 @@ class Membrane(Part):
     law
         Law without wrinkles. One of ``"linear"``, ``"neo_hookean"``. Default: ``"linear"``.
     slack
-        Part of the energy against compression that remains in a tension field (>= 1e-6, <= 1.0). Default:
+        Part of the energy against compression that remains in a tension field (>= 1e-6, <= 1). Default:
         ``0.0001``.
     tension_field
         True for a tension field: wrinkles in place of compressive forces. Default: ``False``.

@@ -324,7 +324,7 @@ class Gas(Part):
     Attributes
     ----------
     name
-        Name of the columns of pressure and volume. Or the function itself, F(t, x, v).
+        Name of the columns of pressure and volume.
     surfaces
         Shells around the gas.
     pressure
@@ -333,11 +333,11 @@ class Gas(Part):
         Absolute pressure p_a outside, force/length². With the default 0, ``pressure`` is that in a vacuum (>=
         0). Default: ``0.0``.
     apex
-        Point to which the edges of openings are connected by straight lines. With symmetry planes, a point in
-        all of them.
+        Point to which the edges of openings are connected by straight lines, length. With symmetry planes, a
+        point in all of them.
     exponent
-        Exponent κ: 1 at constant temperature, 1.4 in air without heat exchange, 0 at constant pressure (>=
-        0.0, <= 10.0). Default: ``1.0``.
+        Exponent κ: 1 at constant temperature, 1.4 in air without heat exchange, 0 at constant pressure (>= 0,
+        <= 10). Default: ``1.0``.
     time
         Amount of gas m as a function of time, relative to that of ``pressure``. Added gas has the state of
         the gas inside. Statics ignores it. Default: ``1.0``.
@@ -348,7 +348,7 @@ class Gas(Part):
     _tag = "kind"
     kind: ClassVar[Literal["gas"]] = "gas"
 
-    name: str | ForceFunction = field(kw_only=False)
+    name: str = field(kw_only=False)
     surfaces: Sequence[GasSurface]
     pressure: float
     ambient: float | None = None

@@ -84,8 +84,8 @@ fn circle(count: u32, at: impl Fn(f64) -> [f64; 3]) -> Vec<[f64; 3]> {
 /// Volume before the load, and the forces along the meridian at the outer and the inner equator, each relative to the reference.
 fn tube_of(n: u32) -> Result<[f64; 3], VerificationError> {
     let [major, minor] = RADII;
-    let profile = circle(32, |angle| [major + minor * angle.cos(), 0.0, minor * angle.sin()]);
-    let path = circle(64, |angle| [(major + minor) * angle.cos(), (major + minor) * angle.sin(), 0.0]);
+    let profile = circle(16, |angle| [major + minor * angle.cos(), 0.0, minor * angle.sin()]);
+    let path = circle(16, |angle| [(major + minor) * angle.cos(), (major + minor) * angle.sin(), 0.0]);
     let mut text = format!(
         "analysis = {{ kind = \"statics\" }}\nmaterials.m = {{ young = 1e8, poisson = 0.4, density = 1100 }}\n\
          [[bodies]]\nkind = \"shell\"\nname = \"tube\"\nelements = [{n}, {n}]\nthickness = 1e-3\nmaterial = \"m\"\n\

@@ -9,8 +9,6 @@ use nalgebra::Vector3;
 use super::assembled::{Assembly, OwnedTerms, RecordedQuantity};
 use super::loads::InnerLoads;
 use crate::errors::ModelErrors;
-use crate::joints::JointEquations;
-use crate::loads::Load;
 use crate::model::{IndexedModel, TimeMode};
 
 impl IndexedModel<'_> {
@@ -33,13 +31,9 @@ impl IndexedModel<'_> {
         }
         terms.extend(self.coupling_terms(&bodies, &joints));
         let first_load = terms.len();
-        let mut gases = joints.iter().filter(|equations| !equations.is_joint());
-        for (load, of_load) in self.loads.iter().zip(self.load_terms(&bodies, time_mode)) {
+        for of_load in self.load_terms(&bodies, &joints, time_mode) {
             let first = terms.len();
             terms.extend(of_load);
-            if let Load::Gas(_) = load {
-                terms.extend(gases.next().into_iter().flat_map(JointEquations::terms));
-            }
             owned.loads.push(first..terms.len());
         }
         let is_nodal = |index: usize| nodal.get(index - first_joint).copied().unwrap_or(false);

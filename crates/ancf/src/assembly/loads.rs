@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use ancf_mechanics::bodies::{BeamMesh, BodyTerms};
 use ancf_solver::equations::Term;
 
-use crate::joints::{End, Joint};
+use crate::joints::{End, Joint, JointEquations};
 use crate::loads::{Load, LoadBuilder};
 use crate::model::{IndexedModel, Place, TimeMode};
 
@@ -55,17 +55,23 @@ impl InnerLoads {
 }
 
 impl IndexedModel<'_> {
-    /// Terms of each load, in the order of the model.
+    /// Terms of each load, in the order of the model. The equations of gases follow those of the joints.
     pub(crate) fn load_terms(
         &self,
         bodies: &[(String, BodyTerms)],
+        joints: &[JointEquations],
         time_mode: TimeMode,
     ) -> Vec<Vec<Box<dyn Term>>> {
         let attach = |place: &Place| self.attachment(bodies, place);
+        let mut gases = joints.iter().filter(|equations| !equations.is_joint());
         let terms = |load: &Load| {
             let mut builder = LoadBuilder::new(self, bodies, &attach, time_mode);
             load.kind().build(&mut builder);
-            builder.finish()
+            let mut terms = builder.finish();
+            if let Load::Gas(_) = load {
+                terms.extend(gases.next().into_iter().flat_map(JointEquations::terms));
+            }
+            terms
         };
         self.loads.iter().map(terms).collect()
     }

@@ -160,8 +160,11 @@ fn free_ball_conserves_momenta() {
     assert!(errors[0][1] > 3.0 * errors[1][1], "angular momentum: {errors:?}");
 }
 
+/// Change of the text of a model.
+type Change = fn(String) -> String;
+
 /// Message of a rejected ball whose gas has these keys.
-fn message(gas: &str, change: impl Fn(String) -> String) -> String {
+fn message(gas: &str, change: Change) -> String {
     let text = change(free_ball(gas, "", "kind = \"statics\"\n"));
     Model::parse(&text).err().map_or_else(String::new, |errors| errors.to_string())
 }
@@ -176,13 +179,13 @@ fn surfaces_that_do_not_enclose_a_gas_are_rejected() {
     let reversed = |text: String| text.replace("{ body = \"s\" }", "{ body = \"s\", reversed = true }");
     let twice = |text: String| text.replace("{ body = \"s\" }", "{ body = \"s\" }, { body = \"s\" }");
     let assembled = |text: String| format!("assemble = true\n{text}");
-    let cases: [(&str, &str, &dyn Fn(String) -> String, &str); 6] = [
-        ("pressure = 1", "opening", &part, "an opening with"),
-        ("pressure = 1", "reversed", &reversed, "the volume -"),
-        ("pressure = 1", "twice", &twice, "a second time"),
-        ("pressure = 1", "assembled", &assembled, "whose volume would change"),
-        ("pressure = -1", "negative pressure", &same, "loads[0].pressure"),
-        ("pressure = 1\nexponent = -1", "negative exponent", &same, "loads[0].exponent"),
+    let cases: [(&str, &str, Change, &str); 6] = [
+        ("pressure = 1", "opening", part, "an opening with"),
+        ("pressure = 1", "reversed", reversed, "the volume -"),
+        ("pressure = 1", "twice", twice, "a second time"),
+        ("pressure = 1", "assembled", assembled, "whose volume would change"),
+        ("pressure = -1", "negative pressure", same, "loads[0].pressure"),
+        ("pressure = 1\nexponent = -1", "negative exponent", same, "loads[0].exponent"),
     ];
     for (gas, case, change, expected) in cases {
         let found = message(gas, change);
@@ -191,7 +194,7 @@ fn surfaces_that_do_not_enclose_a_gas_are_rejected() {
     assert_eq!(message("pressure = 1", same), "");
 }
 
-/// The equilibrium does not depend on the origin of the volume, nor on the units.
+/// The motion does not depend on the origin of the volume.
 #[test]
 fn closed_volumes_do_not_depend_on_the_origin() {
     let gas = |apex: &str| format!("pressure = 20\nambient = 10\nexponent = 1.4\n{apex}");

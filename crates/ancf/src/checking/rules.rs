@@ -10,6 +10,7 @@ use super::memory::{MAX_ELEMENTS, memory_of};
 use super::scheme::{errors, scheme, time};
 use crate::errors::{Finding, finding, number};
 use crate::joints::{End, Joint};
+use crate::loads::Load;
 use crate::model::{
     About, Analysis, IndexedModel, Initial, Model, Modes, ON_AXIS, Place, bodies_of, joints_of, loads_of,
 };
@@ -79,9 +80,10 @@ fn columns(model: &IndexedModel<'_>) -> Vec<Finding> {
     let probes = model.probes.iter().enumerate().map(|(i, probe)| (format!("probes[{i}]"), &*probe.name));
     let couplings = model.couplings.iter().enumerate();
     let couplings = couplings.map(|(i, coupling)| (format!("couplings[{i}]"), &*coupling.name));
-    let loads: Vec<_> =
-        loads_of(model).filter_map(|(path, load)| Some((path, load.kind().name()?))).collect();
-    rule_of_names(joints.chain(probes).chain(loads).chain(couplings).collect())
+    // Names of external loads are those of functions, which several loads may use.
+    let gases = loads_of(model)
+        .filter_map(|(path, load)| if let Load::Gas(gas) = load { Some((path, &*gas.name)) } else { None });
+    rule_of_names(joints.chain(probes).chain(gases).chain(couplings).collect())
 }
 
 /// Checks of the kinds of sections.

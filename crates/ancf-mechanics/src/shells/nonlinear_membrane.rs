@@ -4,8 +4,7 @@ use nalgebra::{Matrix3, SMatrix, Vector3};
 
 use super::laminates::{MembraneLaw, MembraneState, to_orthonormal};
 use super::profile::{
-    BendingPoint, MEMBRANE, MembraneSample, MembraneStiffness, POINTS, ShellProfile, ShellTables,
-    integration_points,
+    BendingPoint, MEMBRANE, MembraneStiffness, POINTS, ShellProfile, ShellTables, integration_points,
 };
 use super::surface_state::ShellStrains;
 
@@ -42,10 +41,10 @@ impl NonlinearMembrane {
         (tables, profile): (&ShellTables, &ShellProfile),
         strains: &ShellStrains,
     ) -> ShellStrains {
-        let mut stress = moments(profile, strains);
+        let mut stress = profile.moments(strains);
         for (k, (to_local, area)) in self.points.iter().enumerate() {
-            let state = self.state(k, &strain_at(tables, k, &strains.membrane));
-            add_force(tables, k, &(to_local.transpose() * state.force * *area), &mut stress.membrane);
+            let state = self.state(k, &tables.membrane_strain(k, &strains.membrane));
+            tables.add_membrane_force(k, &(to_local.transpose() * state.force * *area), &mut stress.membrane);
         }
         stress
     }
@@ -57,8 +56,8 @@ impl NonlinearMembrane {
         strains: &ShellStrains,
     ) -> f64 {
         let of_point =
-            |k: usize| self.points[k].1 * self.state(k, &strain_at(tables, k, &strains.membrane)).energy;
-        0.5 * moments(profile, strains).product(strains) + (0..POINTS).map(of_point).sum::<f64>()
+            |k: usize| self.points[k].1 * self.state(k, &tables.membrane_strain(k, &strains.membrane)).energy;
+        0.5 * profile.moments(strains).product(strains) + (0..POINTS).map(of_point).sum::<f64>()
     }
 
     /// Computes multiples of the stiffness of the membrane strains in a state and of the linear one.
@@ -71,7 +70,7 @@ impl NonlinearMembrane {
         let mut sum = SMatrix::<f64, MEMBRANE, MEMBRANE>::zeros();
         let linear = profile.medium.section.membrane;
         for (k, (to_local, area)) in self.points.iter().enumerate() {
-            let state = self.state(k, &strain_at(tables, k, &strains.membrane));
+            let state = self.state(k, &tables.membrane_strain(k, &strains.membrane));
             let local = state.stiffness * of_state + linear * of_linear;
             tables.add_membrane_stiffness(k, &(to_local.transpose() * local * to_local * *area), &mut sum);
         }
@@ -92,7 +91,7 @@ impl NonlinearMembrane {
     ) -> ShellStrains {
         let mut stress = self.stress((tables, profile), strains);
         for (k, (to_local, area)) in self.points.iter().enumerate() {
-            let [from, to] = [before, after].map(|ends| to_local * strain_at(tables, k, &ends.membrane));
+            let [from, to] = [before, after].map(|ends| to_local * tables.membrane_strain(k, &ends.membrane));
             let [start, middle, end] = [from, (from + to) * 0.5, to].map(|strain| self.law.state(&strain));
             let moved = to - from;
             let missed = end.energy - start.energy - middle.force.dot(&moved);
@@ -100,38 +99,9 @@ impl NonlinearMembrane {
                 f64::EPSILON * (end.energy.abs() + start.energy.abs() + middle.force.norm() * moved.norm());
             if missed.abs() > ROUNDING * bound && moved != Vector3::zeros() {
                 let force = moved * (missed / moved.norm_squared());
-                add_force(tables, k, &(to_local.transpose() * force * *area), &mut stress.membrane);
+                tables.add_membrane_force(k, &(to_local.transpose() * force * *area), &mut stress.membrane);
             }
         }
         stress
     }
-}
-
-/// Returns the membrane strain at an integration point, in covariant components.
-fn strain_at(tables: &ShellTables, k: usize, membrane: &[f64; MEMBRANE]) -> Vector3<f64> {
-    let mut strain = Vector3::zeros();
-    for ((weight, value), MembraneSample { component, .. }) in
-        tables.sampling[k].iter().zip(membrane).zip(&tables.samples)
-    {
-        strain[*component] += weight * value;
-    }
-    strain
-}
-
-/// Adds the forces of a point to the forces of the membrane strains.
-fn add_force(tables: &ShellTables, k: usize, force: &Vector3<f64>, sum: &mut [f64; MEMBRANE]) {
-    for ((weight, sum), MembraneSample { component, .. }) in
-        tables.sampling[k].iter().zip(sum).zip(&tables.samples)
-    {
-        *sum += weight * force[*component];
-    }
-}
-
-/// Returns the moments of curvatures without coupling.
-fn moments(profile: &ShellProfile, strains: &ShellStrains) -> ShellStrains {
-    let mut stress = ShellStrains::ZERO;
-    for ((moment, point), curvature) in stress.bending.iter_mut().zip(&profile.points).zip(&strains.bending) {
-        *moment = point.bending * curvature;
-    }
-    stress
 }

@@ -163,6 +163,22 @@ impl ShellTables {
 }
 
 impl ShellTables {
+    /// Returns the covariant membrane strain at an integration point.
+    pub(crate) fn membrane_strain(&self, k: usize, membrane: &[f64; MEMBRANE]) -> Vector3<f64> {
+        let mut strain = Vector3::zeros();
+        for ((weight, value), sample) in self.sampling[k].iter().zip(membrane).zip(&self.samples) {
+            strain[sample.component] += weight * value;
+        }
+        strain
+    }
+
+    /// Adds a membrane force at an integration point to the forces of the membrane strains.
+    pub(crate) fn add_membrane_force(&self, k: usize, force: &Vector3<f64>, sum: &mut [f64; MEMBRANE]) {
+        for ((weight, sum), sample) in self.sampling[k].iter().zip(sum).zip(&self.samples) {
+            *sum += weight * force[sample.component];
+        }
+    }
+
     /// Adds the stiffness of the covariant membrane strain at an integration point.
     pub(crate) fn add_membrane_stiffness(
         &self,

@@ -4,7 +4,7 @@ use pulp::{Arch, Simd, WithSimd};
 
 use super::hermite::VECTORS;
 use super::profile::{
-    BendingPoint, GRADIENTS, MEMBRANE, MembraneSample, POINTS, SHEARS, ShellProfile, ShellTables, TANGENTS,
+    BendingPoint, GRADIENTS, MEMBRANE, POINTS, SHEARS, ShellProfile, ShellTables, TANGENTS,
 };
 use super::rows::{Row, add_sums};
 
@@ -256,19 +256,22 @@ struct Factors {
 impl ShellProfile {
     /// Computes the stresses D ε, integrated with the weights of the points.
     pub(crate) fn stress(&self, tables: &ShellTables, strains: &ShellStrains) -> ShellStrains {
-        let mut stress =
-            ShellStrains { membrane: self.membrane.stress(&strains.membrane), ..ShellStrains::ZERO };
-        for (k, point) in self.points.iter().enumerate() {
-            stress.bending[k] = point.bending * strains.bending[k];
-            if self.is_coupled {
-                let n = point.coupling * strains.bending[k];
-                let mut strain = Vector3::zeros();
-                for (t, MembraneSample { component, .. }) in tables.samples.iter().enumerate() {
-                    strain[*component] += tables.sampling[k][t] * strains.membrane[t];
-                    stress.membrane[t] += tables.sampling[k][t] * n[*component];
-                }
-                stress.bending[k] += point.coupling.transpose() * strain;
-            }
+        let mut stress = self.moments(strains);
+        stress.membrane = self.membrane.stress(&strains.membrane);
+        for (k, point) in self.points.iter().enumerate().filter(|_| self.is_coupled) {
+            let strain = tables.membrane_strain(k, &strains.membrane);
+            tables.add_membrane_force(k, &(point.coupling * strains.bending[k]), &mut stress.membrane);
+            stress.bending[k] += point.coupling.transpose() * strain;
+        }
+        stress
+    }
+
+    /// Computes the moments D κ of curvatures alone.
+    pub(crate) fn moments(&self, strains: &ShellStrains) -> ShellStrains {
+        let mut stress = ShellStrains::ZERO;
+        for ((moment, point), curvature) in stress.bending.iter_mut().zip(&self.points).zip(&strains.bending)
+        {
+            *moment = point.bending * curvature;
         }
         stress
     }

@@ -1,9 +1,11 @@
 //! Gases in the volumes that shells enclose: their equations, and checks of the surfaces around them.
 
-use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::collections::{BTreeSet, HashMap};
 
 use ancf_mechanics::bodies::BodyTerms;
-use ancf_mechanics::shells::{ElementPatch, EnclosedVolume, GasPressure, PatchMeasures};
+use ancf_mechanics::shells::{
+    ElementPatch, EnclosedVolume, Face, GasPressure, MeshTopology, PatchMeasures, SurfacePatch,
+};
 use nalgebra::Vector3;
 
 use crate::errors::{Finding, finding, number};
@@ -11,7 +13,7 @@ use crate::joints::{
     End, EquationOwner, Joint, JointEquations, JointTerm, Numbering, Part, RecordedCoordinate, Source,
 };
 use crate::loads::{Gas, GasSurface, Load, patches};
-use crate::model::{Body, IndexedModel, Model, loads_of};
+use crate::model::{Body, IndexedModel, Model, elements_of, loads_of};
 
 /// Distance of points that coincide, relative to the size of the surfaces.
 const COINCIDENT: f64 = 1e-6;
@@ -34,19 +36,12 @@ impl IndexedModel<'_> {
             let pressure =
                 GasPressure::new((coordinate, multiplier), volume, pressures, gas.exponent, amount);
             let last: Box<dyn JointTerm> = Box::new(pressure.clone());
-            let parts = terms.into_iter().chain([last]).map(|term| Part { term, reacts: false });
             let recorded = RecordedCoordinate { source: Source::Gas(pressure), coordinate: Some(coordinate) };
-            all.push(JointEquations {
-                owner: EquationOwner::Gas,
-                name: gas.name.clone(),
-                coordinates: coordinate..coordinate + 1,
-                multipliers: multiplier..multiplier + 1,
-                position: None,
-                parts: parts.collect(),
-                recorded: vec![recorded],
-                states: Vec::new(),
-                laws: Vec::new(),
-            });
+            let mut own = JointEquations::new(EquationOwner::Gas, &gas.name, coordinate, multiplier);
+            (own.coordinates.end, own.multipliers.end) = (coordinate + 1, multiplier + 1);
+            own.parts.extend(terms.into_iter().chain([last]).map(|term| Part { term, reacts: false }));
+            own.recorded.push(recorded);
+            all.push(own);
             (coordinate, multiplier) = (coordinate + 1, multiplier + 1);
         }
         all
@@ -60,18 +55,13 @@ impl IndexedModel<'_> {
         multiplier: usize,
     ) -> (Vec<Box<dyn JointTerm>>, f64) {
         let origin = origin(gas, &self.surface_elements(bodies, gas));
-        let mut volume = 0.0;
-        let mut terms: Vec<Box<dyn JointTerm>> = Vec::new();
-        for (patch, reversed) in self.gas_patches(bodies, gas, origin) {
-            let own = patch.measures().volume;
-            volume += if reversed { -own } else { own };
-            terms.push(match patch {
-                ElementPatch::Thin(patch) => Box::new(EnclosedVolume::new(patch, reversed, multiplier)),
-                ElementPatch::Triangle(patch) => Box::new(EnclosedVolume::new(patch, reversed, multiplier)),
-                ElementPatch::Quad(patch) => Box::new(EnclosedVolume::new(patch, reversed, multiplier)),
-            });
-        }
-        (terms, volume)
+        let parts = self.gas_patches(bodies, gas, origin).into_iter().map(|(patch, reversed)| match patch {
+            ElementPatch::Thin(patch) => part(patch, reversed, multiplier),
+            ElementPatch::Triangle(patch) => part(patch, reversed, multiplier),
+            ElementPatch::Quad(patch) => part(patch, reversed, multiplier),
+        });
+        let (terms, volumes): (Vec<_>, Vec<f64>) = parts.unzip();
+        (terms, volumes.iter().sum())
     }
 
     /// Middle surfaces of the elements around a gas, with marks of those whose normal points into it.
@@ -105,15 +95,13 @@ impl IndexedModel<'_> {
         let mut all = Vec::new();
         for (surface, data) in gas.surfaces.iter().enumerate() {
             let Some((body, terms)) = self.built(bodies, &data.body) else { continue };
-            let corners: Vec<Vec<_>> = if let Some(mesh) = terms.shell() {
-                (0..mesh.elements().len()).map(|k| mesh.corners(k).to_vec()).collect()
-            } else if let Some((mesh, shell)) = terms.shear_shell().zip(body.shear_shell()) {
-                let elements = shell.region(data.region.as_deref()).unwrap_or_default();
-                elements.into_iter().map(|k| mesh.corners(k)).collect()
-            } else {
-                continue;
+            let corners = |k: usize| match (terms.shell(), terms.shear_shell()) {
+                (Some(mesh), _) => Some(mesh.corners(k).to_vec()),
+                (_, Some(mesh)) => Some(mesh.corners(k)),
+                _ => None,
             };
-            all.extend(corners.into_iter().map(|mut corners| {
+            let corners = elements_of(body, data.region.as_deref()).into_iter().filter_map(corners);
+            all.extend(corners.map(|mut corners| {
                 if data.reversed {
                     corners.reverse();
                 }
@@ -122,6 +110,17 @@ impl IndexedModel<'_> {
         }
         all
     }
+}
+
+/// Part of an element of the equation of a gas, and of the undeformed volume.
+fn part<const N: usize>(
+    patch: SurfacePatch<N>,
+    reversed: bool,
+    multiplier: usize,
+) -> (Box<dyn JointTerm>, f64) {
+    let part = EnclosedVolume::new(patch, reversed, multiplier);
+    let volume = part.reference_volume();
+    (Box::new(part), volume)
 }
 
 /// Gases of a model.
@@ -150,41 +149,47 @@ fn bounds(elements: &[SurfaceElement]) -> [Vector3<f64>; 2] {
     corners().fold([first; 2], |[low, high], place| [low.inf(&place), high.sup(&place)])
 }
 
-/// Elements at an edge.
-struct EdgeUse {
+/// Elements at an edge around a gas.
+struct Edge {
+    middle: Vector3<f64>,
     /// Number of elements that run along the edge from the first to the second point, and back.
     directions: [usize; 2],
-    middle: Vector3<f64>,
-    /// Surface of each element, and the first coordinates of both nodes in ascending order.
+    /// Surface of each element, and the first coordinates of its nodes there in ascending order.
     sides: Vec<(usize, [usize; 2])>,
 }
 
 /// Collects the edges of elements. Corners at the same place are one point.
-fn edges(elements: &[SurfaceElement]) -> Vec<EdgeUse> {
+fn edges(elements: &[SurfaceElement]) -> Vec<Edge> {
     let [low, high] = bounds(elements);
     let mut points = Points::new(COINCIDENT * (high - low).norm());
-    let mut edges: BTreeMap<[usize; 2], EdgeUse> = BTreeMap::new();
-    for SurfaceElement { surface, corners } in elements {
-        let ids: Vec<usize> = corners.iter().map(|(_, place)| points.id(*place)).collect();
-        for k in 0..corners.len() {
-            let next = (k + 1) % corners.len();
-            let (a, b) = (ids[k], ids[next]);
-            if a == b {
-                continue;
-            }
-            let middle = 0.5 * (corners[k].1 + corners[next].1);
-            let mut nodes = [corners[k].0, corners[next].0];
+    let mut points_of = |element: &SurfaceElement| -> Vec<usize> {
+        element.corners.iter().map(|(_, place)| points.id(*place)).collect()
+    };
+    let ids: Vec<Vec<usize>> = elements.iter().map(&mut points_of).collect();
+    let faces: Vec<Face> = ids.iter().filter_map(|ids| Face::new(ids)).collect();
+    let edge = |(ends, of): ([usize; 2], &[(usize, bool)])| {
+        let side = |k: usize| ends.map(|end| corner(&elements[k], &ids[k], end));
+        let [a, b] = side(of[0].0).map(|(_, place)| place);
+        let forward = of.iter().filter(|(_, sense)| *sense).count();
+        let nodes = |k: usize| {
+            let mut nodes = side(k).map(|(first, _)| first);
             nodes.sort_unstable();
-            let edge = edges.entry([a.min(b), a.max(b)]).or_insert_with(|| EdgeUse {
-                directions: [0; 2],
-                middle,
-                sides: Vec::new(),
-            });
-            edge.directions[usize::from(a > b)] += 1;
-            edge.sides.push((*surface, nodes));
+            nodes
+        };
+        Edge {
+            middle: 0.5 * (a + b),
+            directions: [forward, of.len() - forward],
+            sides: of.iter().map(|(k, _)| (elements[*k].surface, nodes(*k))).collect(),
         }
-    }
-    edges.into_values().collect()
+    };
+    // Collapsed edges are points.
+    MeshTopology::new(points.count, &faces).edges().filter(|([a, b], _)| a != b).map(edge).collect()
+}
+
+/// Corner of an element at a point.
+fn corner(element: &SurfaceElement, ids: &[usize], point: usize) -> (usize, Vector3<f64>) {
+    let at = ids.iter().position(|id| *id == point).unwrap_or(0);
+    element.corners[at]
 }
 
 /// Points that are distinct within a tolerance.
@@ -243,7 +248,7 @@ fn enclosure(
     let (key, elements) = (format!("{path}.surfaces"), model.surface_elements(bodies, gas));
     let error = |found: String, expected: &str| Some(finding(key.clone(), found, expected));
     let edges = edges(&elements);
-    let at = |edge: &EdgeUse| {
+    let at = |edge: &Edge| {
         let [x, y, z] = [0, 1, 2].map(|k| number(edge.middle[k]));
         format!("at ({x}, {y}, {z})")
     };

@@ -45,7 +45,8 @@ pub use crate::loads::{
 };
 pub use crate::units::{ScaleChoice, Units};
 pub(crate) use bodies::{
-    ON_AXIS, SurfaceGeometry, axis_on_shell, edge_of_shell, named, no_projection, region_of_shell, shell_body,
+    ON_AXIS, SurfaceGeometry, axis_on_shell, edge_of_shell, elements_of, named, no_projection,
+    region_of_shell, shell_body,
 };
 pub(crate) use functions::TimeMode;
 pub(crate) use indexed::IndexedModel;

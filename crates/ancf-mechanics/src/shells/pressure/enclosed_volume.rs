@@ -32,6 +32,11 @@ impl<const N: usize> EnclosedVolume<N> {
         Self { reference, ..part }
     }
 
+    /// Returns V_e in the reference state.
+    pub const fn reference_volume(&self) -> f64 {
+        self.reference
+    }
+
     fn volume(&self, q: &[f64]) -> f64 {
         let mut sum = 0.0;
         self.patch.each(q, |_, weight, [r, t, s]| sum += weight * r.dot(&t.cross(&s)));

@@ -126,6 +126,11 @@ impl MeshTopology {
         boundary
     }
 
+    /// Returns the edges, nodes in ascending order, with the elements at each and the sense of the edge in them.
+    pub fn edges(&self) -> impl Iterator<Item = ([usize; 2], &[(usize, bool)])> {
+        self.edges.iter().map(|(edge, of)| (*edge, of.as_slice()))
+    }
+
     /// Returns the edges of the boundary.
     pub fn boundary_edges(&self) -> impl Iterator<Item = [usize; 2]> + '_ {
         self.edges.iter().filter(|(_, of)| of.len() == 1).map(|(edge, _)| *edge)

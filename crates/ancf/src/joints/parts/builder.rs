@@ -45,17 +45,7 @@ impl<'a> JointBuilder<'a> {
         coupled: &'a dyn Fn(JointCoordinate) -> bool,
     ) -> Self {
         let Numbering { coordinate, multiplier, time_mode, energy } = numbering;
-        let equations = JointEquations {
-            owner: EquationOwner::Joint,
-            name: name.to_owned(),
-            coordinates: coordinate..coordinate,
-            multipliers: multiplier..multiplier,
-            position: None,
-            parts: Vec::new(),
-            recorded: Vec::new(),
-            states: Vec::new(),
-            laws: Vec::new(),
-        };
+        let equations = JointEquations::new(EquationOwner::Joint, name, coordinate, multiplier);
         Self { ends, coupled, time_mode, energy, equations }
     }
 

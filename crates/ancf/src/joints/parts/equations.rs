@@ -133,6 +133,21 @@ impl fmt::Debug for JointEquations {
 }
 
 impl JointEquations {
+    /// Creates equations without terms, with the first coordinate and multiplier.
+    pub(crate) fn new(owner: EquationOwner, name: &str, coordinate: usize, multiplier: usize) -> Self {
+        Self {
+            owner,
+            name: name.to_owned(),
+            coordinates: coordinate..coordinate,
+            multipliers: multiplier..multiplier,
+            position: None,
+            parts: Vec::new(),
+            recorded: Vec::new(),
+            states: Vec::new(),
+            laws: Vec::new(),
+        }
+    }
+
     /// True for a joint, false for a gas.
     pub(crate) fn is_joint(&self) -> bool {
         self.owner == EquationOwner::Joint

@@ -10,8 +10,10 @@ use ancf_solver::equations::{State, Term};
 
 /// Term of a joint: a constraint or a force with a reaction.
 pub trait JointTerm: Term {
-    /// Force and moment that the term exerts on the end `a` in a state.
-    fn reaction(&self, s: &State) -> Wrench;
+    /// Force and moment that the term exerts on the end `a` in a state; none by default.
+    fn reaction(&self, _s: &State) -> Wrench {
+        Wrench::default()
+    }
 
     /// Copies the term for the system of equations.
     fn boxed(&self) -> Box<dyn Term>;
@@ -61,20 +63,12 @@ joint_terms! {
 }
 
 impl<const N: usize> JointTerm for EnclosedVolume<N> {
-    fn reaction(&self, _: &State) -> Wrench {
-        Wrench::default()
-    }
-
     fn boxed(&self) -> Box<dyn Term> {
         Box::new(self.clone())
     }
 }
 
 impl JointTerm for GasPressure {
-    fn reaction(&self, _: &State) -> Wrench {
-        Wrench::default()
-    }
-
     fn boxed(&self) -> Box<dyn Term> {
         Box::new(self.clone())
     }

@@ -11,7 +11,7 @@ use ancf_solver::equations::Term;
 use nalgebra::Vector3;
 
 use super::context::LoadContext;
-use crate::model::{Body, Place, ShearShell, TimeFunction, TimeMode};
+use crate::model::{Body, Place, ShearShell, TimeFunction, TimeMode, elements_of};
 
 /// Builder of the terms of one load.
 ///
@@ -160,10 +160,10 @@ pub(crate) fn patches(
     region: Option<&str>,
     origin: Vector3<f64>,
 ) -> Vec<ElementPatch> {
-    if let Some(mesh) = terms.shell() {
-        return (0..mesh.elements().len()).map(|k| ElementPatch::thin(mesh, k, origin)).collect();
-    }
-    let Some((mesh, shell)) = terms.shear_shell().zip(body.shear_shell()) else { return Vec::new() };
-    let elements = shell.region(region).unwrap_or_default();
-    elements.into_iter().map(|k| ElementPatch::face(mesh, k, origin)).collect()
+    let patch = |k: usize| match (terms.shell(), terms.shear_shell()) {
+        (Some(mesh), _) => Some(ElementPatch::thin(mesh, k, origin)),
+        (_, Some(mesh)) => Some(ElementPatch::face(mesh, k, origin)),
+        _ => None,
+    };
+    elements_of(body, region).into_iter().filter_map(patch).collect()
 }

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::errors::Finding;
 use crate::loads::parts::{LoadBuilder, LoadContext, LoadKind};
-use crate::model::{TimeFunction, region_of_shell, shell_body};
+use crate::model::{TimeFunction, elements_of, region_of_shell, shell_body};
 use crate::units::Scaled;
 
 /// Fluid around a shell: drag, lift, added mass and buoyancy.
@@ -59,10 +59,7 @@ impl LoadKind for SurfaceFluid {
         let thickness = body.layup().map_or(0.0, |layup| layup.thickness);
         let surface =
             HydroSurface { thickness, drag: self.drag, lift: self.lift, added_length: self.added_mass };
-        let elements = body.shear_shell().map_or_else(
-            || (0..body.elements() as usize).collect(),
-            |shell| shell.region(self.region.as_deref()).unwrap_or_default(),
-        );
+        let elements = elements_of(body, self.region.as_deref());
         SurfaceFlowLoad::on(terms, elements, &medium, &surface)
             .into_iter()
             .for_each(|term| builder.add(term));

@@ -20,7 +20,7 @@ pub use parts::{At, EdgeName, EdgePlace, InitialMotion, NamedPosition, NodePlace
 pub use rigid::{PointMass, Rigid};
 pub use shape::Shape;
 pub(crate) use shell_body::{
-    axis_on_shell, edge_of_shell, named, no_projection, region_of_shell, shell_body,
+    axis_on_shell, edge_of_shell, elements_of, named, no_projection, region_of_shell, shell_body,
 };
 pub(crate) use shells::SurfaceGeometry;
 pub use shells::{

@@ -46,6 +46,12 @@ pub(crate) fn region_of_shell(
     Some(finding(key, found, named("elements", names.map(|(name, _)| name.as_str()))).rests_on([owner]))
 }
 
+/// Elements of a shell or of a region of it.
+pub(crate) fn elements_of(body: &Body, region: Option<&str>) -> Vec<usize> {
+    let all = || (0..body.elements() as usize).collect();
+    body.shear_shell().map_or_else(all, |shell| shell.region(region).unwrap_or_default())
+}
+
 /// Expected name of a group of a mesh.
 pub(crate) fn named<'a>(what: &str, names: impl Iterator<Item = &'a str>) -> String {
     let names: Vec<_> = names.map(quoted).collect();

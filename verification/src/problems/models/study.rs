@@ -34,7 +34,7 @@ impl Convergence {
         let (first, last) = (all().fold(f64::INFINITY, f64::min), all().fold(0.0, f64::max));
         let line = PlotCurve::line("reference", vec![[first, 1.0], [last, 1.0]]);
         let curves = std::iter::once(line).chain(self.curves).collect();
-        self.found.plot(Plot::new("Displacement, relative to the reference", [axis, "ratio"], curves));
+        self.found.plot(Plot::new("Values relative to the reference", [axis, "ratio"], curves));
         self.found
     }
 }

@@ -99,7 +99,7 @@ impl Cable12 {
         [0.5 * section.axial * axial.sum::<f64>(), 0.5 * section.bending * bending.sum::<f64>()]
     }
 
-    fn stretch(&self, station: &CableStation, q: &[Vector3<f64>; 4]) -> AxialStretch {
+    pub(super) fn stretch(&self, station: &CableStation, q: &[Vector3<f64>; 4]) -> AxialStretch {
         AxialStretch::new(&self.direction, &station.first(q))
     }
 
@@ -122,6 +122,26 @@ impl Cable12 {
         let inertia = w.a + w.v * self.profile.damping().mass;
         let mass = self.profile.mass();
         each_pair(|i, j| blocks[i][j] += Matrix3::from_diagonal_element(inertia * mass[i][j]));
+    }
+
+    /// Adds the stiffness of axial forces EA Δε, with Δε of the strain and of that predicted from the state `from`.
+    fn add_axial_strains(
+        &self,
+        at: &Local<'_>,
+        from: &Local<'_>,
+        k: &mut LocalMatrix<'_>,
+        difference: impl Fn(f64, f64) -> f64,
+    ) {
+        let (profile, now, before) = (&*self.profile, vectors(at.q), vectors(from.q));
+        let mut blocks = [[Matrix3::zeros(); 4]; 4];
+        for station in profile.axial() {
+            let [stretch, start] = [&now, &before].map(|q| self.stretch(station, q));
+            let predicted = start.strain + start.tangent.dot(&(station.first(&now) - station.first(&before)));
+            let force = profile.section().axial * difference(stretch.strain, predicted);
+            let h = stretch.stiffness(0.0, force) * station.weight;
+            each_pair(|i, j| blocks[i][j] += h * (station.first[i] * station.first[j]));
+        }
+        add_blocks(&blocks, k);
     }
 
     /// Computes the sum of M_ab x_b over b.
@@ -241,16 +261,15 @@ impl Term for Cable12 {
 
     /// Axial force only: that of bending is small.
     fn stress_prediction(&self, at: &Local<'_>, from: &Local<'_>, k: &mut LocalMatrix<'_>) {
-        let (profile, now, before) = (&*self.profile, vectors(at.q), vectors(from.q));
-        let mut blocks = [[Matrix3::zeros(); 4]; 4];
-        for station in profile.axial() {
-            let [stretch, start] = [&now, &before].map(|q| self.stretch(station, q));
-            let predicted = start.strain + start.tangent.dot(&(station.first(&now) - station.first(&before)));
-            let excess = profile.section().axial * (stretch.strain - predicted);
-            let h = stretch.stiffness(0.0, -excess) * station.weight;
-            each_pair(|i, j| blocks[i][j] += h * (station.first[i] * station.first[j]));
-        }
-        add_blocks(&blocks, k);
+        self.add_axial_strains(at, from, k, |strain, predicted| predicted - strain);
+    }
+
+    fn is_cable(&self) -> bool {
+        true
+    }
+
+    fn least_tension(&self, at: &Local<'_>, from: &Local<'_>, least: f64, k: &mut LocalMatrix<'_>) {
+        self.add_axial_strains(at, from, k, |_, predicted| (least - predicted).max(0.0));
     }
 
     fn stress_stiffness(&self, at: &Local<'_>, by: &Local<'_>, k: &mut LocalMatrix<'_>) {
@@ -354,42 +373,5 @@ impl Cable12 {
         stiffness
             .plus(bend.damping(), w.v * tau * rigidity)
             .plus(bend.stress_stiffness(&bend.rate(&station.both(v))), w.q * tau * rigidity)
-    }
-}
-
-impl Cable12 {
-    /// Bounds the rounding error of N t.
-    fn axial_rounding(&self, station: &CableStation, q: &[Vector3<f64>; 4], v: &[Vector3<f64>; 4]) -> f64 {
-        let (rigidity, tau) = (self.profile.section().axial, self.profile.damping().stretch);
-        let (u, rate) = (station.first(q).norm(), station.first(v));
-        let stretch = self.stretch(station, q);
-        let ([du, _], [drate, _]) = (station.rounding(q), station.rounding(v));
-        let dt = du / stretch.length + f64::EPSILON;
-        let dstrain = du + f64::EPSILON * (2.0 + u) * u / (stretch.length + 1.0);
-        let retarded = tau * (drate + (dt + f64::EPSILON) * rate.norm());
-        rigidity * (dstrain + retarded)
-            + self.profile.axial_force(&stretch, &rate).abs() * (dt + f64::EPSILON)
-    }
-
-    /// Bounds the rounding errors of EI Lᵀ(β + τβ°).
-    fn bending_rounding(
-        &self,
-        station: &CableStation,
-        q: &[Vector3<f64>; 4],
-        v: &[Vector3<f64>; 4],
-    ) -> [f64; 2] {
-        let (rigidity, tau) = (self.profile.section().bending, self.profile.damping().bending);
-        let ([du, db], [da_rate, db_rate]) = (station.rounding(q), station.rounding(v));
-        let (a, b) = ((self.direction + station.first(q)).norm(), station.second(q).norm());
-        let [a_rate, b_rate] = station.both(v).map(|x| x.norm());
-        // The error of a is relative, the others are absolute. β depends on b, and β° on ḃ and b ȧ/|a|, all divided by
-        // |a|.
-        let da = du / a + f64::EPSILON;
-        let (strain, dstrain) = (b / a, (db + 4.0 * b * da) / a);
-        let rate = (b_rate + 4.0 * b * a_rate / a) / a;
-        let drate = (db_rate + 4.0 * (db * a_rate + b * da_rate) / a) / a + 6.0 * rate * da;
-        let (m, dm) = (strain + tau * rate, dstrain + tau * drate);
-        let of_a = 2.0 * (b * dm + db * m + 4.0 * b * m * da) / (a * a);
-        [rigidity * of_a, rigidity * (dm + 2.0 * m * da) / a]
     }
 }

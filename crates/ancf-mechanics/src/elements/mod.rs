@@ -4,6 +4,7 @@ mod beam;
 mod cable;
 mod cable_products;
 mod cable_profile;
+mod cable_rounding;
 mod cable_step;
 mod prestrain;
 mod profile;

@@ -90,6 +90,18 @@ pub trait EquationsOfMotion {
     /// [`Term::stress_prediction`]: super::terms::Term::stress_prediction
     fn add_stress_prediction(&self, _s: &State, _from: &State, _k: &mut SparseMatrix) {}
 
+    /// Returns true if there are cables, which have a least tension ([`Term::least_tension`]).
+    ///
+    /// [`Term::least_tension`]: super::terms::Term::least_tension
+    fn has_cables(&self) -> bool {
+        false
+    }
+
+    /// Adds the change of the stiffness if the predicted axial strains of cables are at least `least` ([`Term::least_tension`]).
+    ///
+    /// [`Term::least_tension`]: super::terms::Term::least_tension
+    fn add_least_tension(&self, _s: &State, _from: &State, _least: f64, _k: &mut SparseMatrix) {}
+
     /// Assembles the initial stress stiffness at the configuration of a state.
     ///
     /// The stresses, multipliers and loads are the first-order response to the increment `by` of q, λ and the load

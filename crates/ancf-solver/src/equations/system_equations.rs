@@ -104,6 +104,15 @@ impl EquationsOfMotion for System {
         self.add_pair_matrix(terms, [s, from], k, |term, at, from, k| term.stress_prediction(at, from, k));
     }
 
+    fn has_cables(&self) -> bool {
+        self.terms.iter().any(|term| term.is_cable())
+    }
+
+    fn add_least_tension(&self, s: &State, from: &State, least: f64, k: &mut SparseMatrix) {
+        let terms = (0..self.terms.len()).filter(|&i| self.terms[i].is_cable());
+        self.add_pair_matrix(terms, [s, from], k, |term, at, from, k| term.least_tension(at, from, least, k));
+    }
+
     fn stress_stiffness(&self, s: &State, by: &State, k: &mut SparseMatrix) {
         k.values_mut().fill(0.0);
         let terms = 0..self.terms.len();

@@ -239,12 +239,18 @@ impl Newton {
         report: &mut NewtonReport,
     ) -> Result<f64, SolveFailure> {
         let n = s.q.len();
-        self.tangent.prepare(eom, s, w)?;
-        for (i, (z, r)) in self.z.iter_mut().zip(&self.r).enumerate() {
-            *z = if i < n { -r } else { -r / w.q };
+        loop {
+            self.tangent.prepare(eom, s, w)?;
+            for (i, (z, r)) in self.z.iter_mut().zip(&self.r).enumerate() {
+                *z = if i < n { -r } else { -r / w.q };
+            }
+            let Self { tangent: NewtonTangent { matrix, factor, .. }, z, .. } = self;
+            factor.solve_increment(matrix, z, &s.lambda).map_err(|_| SolveFailure::Singular)?;
+            if !self.tangent.changes_tension(eom, s, &self.z) {
+                break;
+            }
         }
         let Self { tangent: NewtonTangent { matrix, factor, .. }, r, z, .. } = self;
-        factor.solve_increment(matrix, z, &s.lambda).map_err(|_| SolveFailure::Singular)?;
         update.apply(LinearSolution { eom, matrix, factor, r, z }, s, w)?;
         report.iterations += 1;
         report.increment = w.q * norm(&self.z[..n]);

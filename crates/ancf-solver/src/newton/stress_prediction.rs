@@ -14,24 +14,57 @@ use crate::sparse::SparseMatrix;
 /// The predicted stresses may be compressive in slack bodies. If the matrix is then indefinite, the iteration uses the stresses of
 /// the iterate.
 ///
+/// A slack cable on a straight line has no stiffness across it but that of bending, with L⁴/EI below rounding errors in long cables.
+/// If the first increment turns its sections too far, the first two tangents have an axial strain of at least ε₀ in the cables.
+/// It is chosen so that the sections turn by about one radian.
+///
 /// Source: Magisano, Leonetti & Garcea (2017), mixed integration points.
 #[derive(Debug)]
 pub(crate) struct StressPrediction {
     /// Last iterate, or the equilibrium before the prediction of the first one.
     from: State,
     is_active: bool,
+    /// Number of tangents of the solution so far.
+    tangents: u32,
+    /// True if the first iterate is the last equilibrium.
+    starts_there: bool,
+    /// Least axial strain ε₀ of cables in the first tangents, and the number of its trials.
+    least: Option<f64>,
+    trials: u32,
+    /// State after the first increment.
+    trial: State,
 }
+
+/// Rotation of the first increment above which cables get a tension. A slope of 16, relative to the largest rotation of 120°.
+const TOO_FAR: f64 = 0.72;
+/// Rotations of the first increment that are sought with the tension.
+const SOUGHT: [f64; 2] = [0.1, 0.55];
+/// First strain, and the factor to the next one.
+const FIRST_STRAIN: f64 = 1e-7;
+const FACTOR: f64 = 30.0;
+/// Largest number of strains.
+const TRIALS: u32 = 5;
+/// Number of tangents with a least strain.
+const WITH_TENSION: u32 = 2;
 
 impl StressPrediction {
     /// Storage for states of the size of `s`.
     pub(super) fn new(s: &State) -> Self {
-        Self { from: s.clone(), is_active: false }
+        Self {
+            from: s.clone(),
+            is_active: false,
+            tangents: 0,
+            starts_there: false,
+            least: None,
+            trials: 0,
+            trial: s.clone(),
+        }
     }
 
     /// Starts a solution from an equilibrium.
     pub(super) fn start(&mut self, from: &State) {
         self.from.copy_from(from);
-        self.is_active = true;
+        (self.is_active, self.tangents, self.least, self.trials) = (true, 0, None, 0);
     }
 
     /// Ends a solution.
@@ -46,13 +79,43 @@ impl StressPrediction {
         s: &State,
         (matrix, factor): (&mut SparseMatrix, &mut Factor),
     ) -> bool {
-        if !self.is_active || self.from.q == s.q {
+        let is_start = self.from.q == s.q;
+        self.tangents += 1;
+        self.starts_there = is_start && self.tangents == 1;
+        let least = self.least.filter(|_| self.tangents <= WITH_TENSION);
+        if !self.is_active || (is_start && least.is_none()) {
             return false;
         }
         eom.tangent(s, Weights::STIFFNESS, matrix);
         eom.add_stress_prediction(s, &self.from, matrix);
+        if let Some(least) = least {
+            eom.add_least_tension(s, &self.from, least, matrix);
+        }
         self.from.copy_from(s);
         let is_factorised = factor.factorise(matrix).is_ok();
         is_factorised && factor.negative_pivots().or_else(|| inertia(matrix)) == Some(eom.multipliers())
+    }
+
+    /// Chooses the least strain of cables after the increment `z` of the first tangent. Returns true if it has changed: the increment
+    /// is then computed again.
+    pub(super) fn choose_least_strain(&mut self, eom: &dyn EquationsOfMotion, s: &State, z: &[f64]) -> bool {
+        if !self.is_active || !self.starts_there || self.trials > TRIALS || !eom.has_cables() {
+            return false;
+        }
+        self.trial.copy_from(s);
+        self.trial.add(z, Weights::STIFFNESS);
+        let size = eom.rotation(s, &self.trial).size;
+        self.least = match self.least {
+            None if size > TOO_FAR => Some(FIRST_STRAIN),
+            None => return false,
+            // What turns too far with any tension is no cable.
+            Some(_) if self.trials == TRIALS => None,
+            Some(least) if size > SOUGHT[1] => Some(least * FACTOR),
+            Some(least) if size < SOUGHT[0] => Some(least / FACTOR.sqrt()),
+            Some(_) => return false,
+        };
+        self.trials += 1;
+        self.tangents = 0;
+        true
     }
 }

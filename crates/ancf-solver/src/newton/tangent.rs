@@ -157,6 +157,12 @@ impl NewtonTangent {
         self.prediction.get_or_insert_with(|| StressPrediction::new(from)).start(from);
     }
 
+    /// Adds a tension to cables that the first increment of a static solution turns too far, or changes it. Returns true if the
+    /// increment has to be computed again with a new tangent.
+    pub(crate) fn changes_tension(&mut self, eom: &dyn EquationsOfMotion, s: &State, z: &[f64]) -> bool {
+        self.prediction.as_mut().is_some_and(|prediction| prediction.choose_least_strain(eom, s, z))
+    }
+
     /// Ends a static solution. Later tangents have the stresses of the iterate.
     pub(crate) fn end_prediction(&mut self) {
         self.prediction.iter_mut().for_each(StressPrediction::end);

@@ -4,6 +4,7 @@ mod discs;
 mod large;
 mod linear;
 pub(super) mod mesh;
+mod pinched;
 mod plates;
 mod strips;
 mod triangles;
@@ -11,11 +12,12 @@ mod triangles;
 use crate::Problem;
 
 /// Problems of shear-deformable shells.
-pub(super) const FAMILIES: [&[Problem]; 6] = [
+pub(super) const FAMILIES: [&[Problem]; 7] = [
     linear::PROBLEMS,
     discs::PROBLEMS,
     strips::PROBLEMS,
     plates::PROBLEMS,
     large::PROBLEMS,
+    pinched::PROBLEMS,
     triangles::PROBLEMS,
 ];

@@ -168,6 +168,17 @@ pub trait Term: Any + Send + Sync {
     /// tangents stretches the axis.
     fn stress_prediction(&self, _at: &Local<'_>, _from: &Local<'_>, _k: &mut LocalMatrix<'_>) {}
 
+    /// True if the term implements [`least_tension`](Self::least_tension).
+    fn is_cable(&self) -> bool {
+        false
+    }
+
+    /// Adds the lower triangle of Σ (n₀ − n)⁺ ∂²ε/∂q² of the axial force: with [`stress_prediction`](Self::stress_prediction) the
+    /// predicted force n is then at least that of the strain `least`, n₀.
+    ///
+    /// Slack cables have no stiffness but that of bending. Terms without axial forces have none.
+    fn least_tension(&self, _at: &Local<'_>, _from: &Local<'_>, _least: f64, _k: &mut LocalMatrix<'_>) {}
+
     /// Adds the lower triangle of the initial stress stiffness at the configuration of the state.
     ///
     /// The stresses, multipliers and loads are the first-order response to the increment `by` of q, λ and the load

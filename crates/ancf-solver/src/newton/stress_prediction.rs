@@ -16,7 +16,7 @@ use crate::sparse::SparseMatrix;
 ///
 /// A slack cable on a straight line has no stiffness across it but that of bending, with L⁴/EI below rounding errors in long cables.
 /// If the first increment turns its sections too far, the first two tangents have an axial strain of at least ε₀ in the cables.
-/// It is chosen so that the sections turn by about one radian.
+/// It is chosen so that the sections turn by 4° to 48°.
 ///
 /// Source: Magisano, Leonetti & Garcea (2017), mixed integration points.
 #[derive(Debug)]
@@ -38,9 +38,9 @@ pub(crate) struct StressPrediction {
 /// Rotation of the first increment above which cables get a tension. A slope of 16, relative to the largest rotation of 120°.
 const TOO_FAR: f64 = 0.72;
 /// Rotations of the first increment that are sought with the tension.
-const SOUGHT: [f64; 2] = [0.1, 0.55];
+const SOUGHT: [f64; 2] = [0.03, 0.4];
 /// First strain, and the factor to the next one.
-const FIRST_STRAIN: f64 = 1e-7;
+const FIRST_STRAIN: f64 = 1e-6;
 const FACTOR: f64 = 30.0;
 /// Largest number of strains.
 const TRIALS: u32 = 5;

@@ -10,6 +10,10 @@ const LARGEST: usize = 200;
 /// Relative change of the result, in each of several steps, at which it is accepted.
 const TOLERANCE: f64 = 1e-4;
 const STEPS: usize = 4;
+/// Form yᵀ A w, relative to the sum of the absolute values of its terms, that is zero but for rounding errors.
+const ROUNDING: f64 = 1e-11;
+/// Number of vectors on which the form is examined.
+const EXAMINED: usize = 4;
 /// Squared norm of a new vector, relative to that before orthogonalisation, below which the space is invariant.
 const INVARIANT: f64 = 1e-20;
 
@@ -17,7 +21,9 @@ const INVARIANT: f64 = 1e-20;
 /// part A of the stiffness.
 ///
 /// It bounds |Im ω²|/Re ω² of all modes of K + A (Bendixson 1902), and is the spectral radius of B = K⁻¹A. B is skew in the inner
-/// product of K. Lanczos's method with full orthogonalisation finds the radius from below, to about 1e-4.
+/// product of K. Lanczos's method with full orthogonalisation finds the radius from below, to about 1e-4. The result is zero if the
+/// constraints leave nothing of A, as those of planes of symmetry do with a pressure: yᵀ A w is then a rounding error for random
+/// solutions y and w.
 ///
 /// Source: Lanczos (1950); Paige (1974) for skew matrices.
 ///
@@ -30,11 +36,6 @@ pub fn skew_ratio(eom: &dyn EquationsOfMotion, matrix: SparseMatrix, s: &State) 
     factor.factorise(&left)?;
     let (entries, n) = (eom.skew_stiffness(s), eom.coordinates());
     let mut random = PseudoRandom(31);
-    let mut force = DVector::zeros(n);
-    for &(i, j, value) in &entries {
-        force[i] += value * random.number();
-        force[j] += value * random.number();
-    }
     let mut solve = |force: &DVector<f64>| -> Result<DVector<f64>, EigenError> {
         let mut x = force.as_slice().to_vec();
         x.resize(left.pattern().size(), 0.0);
@@ -42,6 +43,15 @@ pub fn skew_ratio(eom: &dyn EquationsOfMotion, matrix: SparseMatrix, s: &State) 
         x.truncate(n);
         Ok(x.into())
     };
+    let examined = (0..EXAMINED).map(|_| solve(&DVector::from_fn(n, |_, _| random.number())));
+    if is_zero(&entries, &examined.collect::<Result<Vec<_>, _>>()?) {
+        return Ok(0.0);
+    }
+    let mut force = DVector::zeros(n);
+    for &(i, j, value) in &entries {
+        force[i] += value * random.number();
+        force[j] += value * random.number();
+    }
     // Vectors v of norm 1 with their forces K v.
     let mut space: Vec<[DVector<f64>; 2]> = Vec::new();
     let (mut columns, mut radius, mut accepted): (Vec<Vec<f64>>, f64, usize) = (Vec::new(), 0.0, 0);
@@ -80,6 +90,20 @@ pub fn skew_ratio(eom: &dyn EquationsOfMotion, matrix: SparseMatrix, s: &State) 
         space.push([next, next_force]);
         vector = solve(&force)?;
     }
+}
+
+/// Returns true if yᵀ A w is a rounding error for all pairs of vectors.
+fn is_zero(entries: &[(usize, usize, f64)], vectors: &[DVector<f64>]) -> bool {
+    let form = |y: &DVector<f64>, w: &DVector<f64>| {
+        let products = |&(i, j, value): &(usize, usize, f64)| [y[i] * value * w[j], -y[j] * value * w[i]];
+        let terms = entries.iter().flat_map(products);
+        terms.fold([0.0, 0.0], |[sum, size]: [f64; 2], term| [sum + term, size + term.abs()])
+    };
+    let mut pairs = vectors.iter().enumerate().flat_map(|(k, y)| vectors[..k].iter().map(move |w| (y, w)));
+    pairs.all(|(y, w)| {
+        let [sum, size] = form(y, w);
+        sum.abs() <= ROUNDING * size
+    })
 }
 
 /// Computes A x.

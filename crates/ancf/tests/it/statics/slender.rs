@@ -73,3 +73,41 @@ fn all_formulations_need_few_iterations() {
         assert!(iterations <= ITERATIONS, "{formulation}: {iterations} iterations");
     }
 }
+
+/// Load and stretch of the elastic catenary: length 2 s between supports at the distance 2 x (Irvine 1981, section 1.4).
+fn sag([s, x]: [f64; 2], weight: f64, axial: f64) -> f64 {
+    let half_span = |h: f64| h * s / axial + h / weight * (weight * s / h).asinh();
+    let (mut low, mut high) = (1e-3 * weight * s, 1e3 * weight * s);
+    for _ in 0..200 {
+        let middle = (low * high).sqrt();
+        (low, high) = if half_span(middle) < x { (middle, high) } else { (low, middle) };
+    }
+    let height = (1.0 + (weight * s / low).powi(2)).sqrt() - 1.0;
+    low / weight * height + weight * s * s / (2.0 * axial)
+}
+
+/// A slack cable starts as a straight line, without stiffness across it but that of bending. One support moves by a tenth of the length.
+#[test]
+fn a_slack_cable_finds_its_catenary_in_few_iterations() {
+    let area = std::f64::consts::PI * 25e-6;
+    let expected = -sag([50.0, 45.0], 1140.0 * 9.81 * area, 2e9 * area);
+    for elements in [100, 3000] {
+        let text = format!(
+            "gravity = [0, 0, -9.81]
+            materials.rope = {{ density = 1140, young = 2e9 }}
+            sections.rope = {{ kind = \"circle\", diameter = 0.01 }}
+            bodies = [{{ kind = \"cable\", name = \"b\", from = [0, 0, 0], to = [100, 0, 0], elements = {elements}, section = \"rope\", material = \"rope\" }}]
+            joints = [
+                {{ kind = \"spherical\", name = \"left\", a = {{ body = \"b\", at = \"start\" }} }},
+                {{ kind = \"spherical\", name = \"right\", a = {{ body = \"b\", at = \"end\" }}, b = {{ point = [90, 0, 0] }} }},
+            ]
+            probes = [{{ name = \"tip\", on = {{ body = \"b\", at = 50 }} }}]
+            analysis = {{ kind = \"statics\", first = 0.1 }}"
+        );
+        let ([x, z], iterations) = tip(&Model::parse(&text).unwrap());
+        assert_near("middle", x, 45.0, 1e-6);
+        // The bending stiffness has a share of EI/(H a²), with H and a the force and the radius at the lowest point.
+        assert_near("sag", z, expected, 1e-3);
+        assert!(iterations <= ITERATIONS, "{elements} elements: {iterations} iterations");
+    }
+}

@@ -7,7 +7,7 @@ use nalgebra::{DMatrix, DVector, Vector3};
 use super::cases::{TermCase, terms};
 use super::kind::TermKind;
 use crate::common::assertions::assert_near;
-use crate::common::models::cables;
+use crate::common::models::cables::{self, Cable};
 use crate::common::random::Random;
 use crate::common::sample::{Sample, sizes, stress_stiffness};
 
@@ -53,18 +53,25 @@ fn prediction_is_of_second_order() {
     }
 }
 
+/// Unit vectors along a cable and across it.
+fn directions(cable: &Cable) -> [Vector3<f64>; 2] {
+    let along = cable.reference[2].normalize();
+    [along, along.cross(&Vector3::new(0.3, -0.8, 0.5)).normalize()]
+}
+
+/// Coordinates of a linear displacement with the gradient x.
+fn of_gradient(cable: &Cable, x: Vector3<f64>) -> DVector<f64> {
+    let nodal = [Vector3::zeros(), x * cable.slope, x * cables::LENGTH, x * cable.slope];
+    DVector::from_iterator(12, nodal.iter().flatten().copied())
+}
+
 /// Straight cable that turns and stretches by a linear displacement θ x across its axis: N = EA (√(1 + θ²) − 1), predicted N = 0.
 #[test]
 fn a_transverse_increment_has_no_predicted_axial_force() {
     let theta = 0.75_f64;
     for cable in cables::cables(CableDamping::default(), Vector3::zeros()) {
         let term: &dyn Term = &cable.term;
-        let along = cable.reference[2].normalize();
-        let across = along.cross(&Vector3::new(0.3, -0.8, 0.5)).normalize();
-        let moved = |x: Vector3<f64>| -> DVector<f64> {
-            let nodal = [Vector3::zeros(), x * cable.slope, x * cables::LENGTH, x * cable.slope];
-            DVector::from_iterator(12, nodal.iter().flatten().copied())
-        };
+        let ([along, across], moved) = (directions(&cable), |x| of_gradient(&cable, x));
         let from = Sample::rest(term);
         let at = from.moved(&moved(across * theta), 1.0, Weights::STIFFNESS);
         let stretch = 1.0_f64.hypot(theta);
@@ -75,5 +82,32 @@ fn a_transverse_increment_has_no_predicted_axial_force() {
         assert_near(&cable.name, found, expected, 1e-12);
         let stretched = from.moved(&moved(along * theta), 1.0, Weights::STIFFNESS);
         assert!(stress_prediction(term, &stretched, &from).amax() < 1e-12, "{}", cable.name);
+    }
+}
+
+/// Straight cable that turns by an increment: the predicted axial force, zero, is raised to that of the least strain. A greater predicted
+/// one is left.
+#[test]
+fn the_predicted_tension_is_at_least_that_of_a_strain() {
+    let least = 1e-3;
+    for cable in cables::cables(CableDamping::default(), Vector3::zeros()) {
+        let term: &dyn Term = &cable.term;
+        let ([along, across], moved) = (directions(&cable), |x| of_gradient(&cable, x));
+        let stiffness = |at: &Sample, from: &Sample| {
+            let (size, mut storage) = (at.q.len(), [0.0; LOCAL * LOCAL]);
+            let mut k = LocalMatrix::zero(size, &mut storage);
+            term.least_tension(&at.local(), &from.local(), least, &mut k);
+            let z = moved(across);
+            z.dot(&(DMatrix::from_fn(size, size, |i, j| k.get(i.max(j), i.min(j))) * &z))
+        };
+        let rest = Sample::rest(term);
+        // A force N along a line has the stiffness N/l against a unit gradient across it.
+        let expected = cables::SECTION.axial * least * cables::LENGTH;
+        assert_near(&cable.name, stiffness(&rest, &rest), expected, 1e-12);
+        let slack = rest.moved(&moved(along * -0.2), 1.0, Weights::STIFFNESS);
+        let of_slack = cables::SECTION.axial * (least + 0.2) / 0.8 * cables::LENGTH;
+        assert_near(&cable.name, stiffness(&slack, &rest), of_slack, 1e-12);
+        let taut = rest.moved(&moved(along * 0.2), 1.0, Weights::STIFFNESS);
+        assert!(stiffness(&taut, &rest).abs() < 1e-12, "{}", cable.name);
     }
 }

@@ -1,4 +1,6 @@
-use nalgebra::{DMatrix, Vector3};
+use std::ops::{Mul, Sub};
+
+use nalgebra::Vector3;
 
 /// Surface through a grid of points: a cubic spline along each of two directions, twice continuously differentiable.
 ///
@@ -62,10 +64,10 @@ impl SplineSurface {
     }
 }
 
-/// Knots of a direction with the matrix of the slopes of a spline by its values.
+/// Knots of a direction.
 struct Direction {
     knots: Vec<f64>,
-    slopes: DMatrix<f64>,
+    is_closed: bool,
 }
 
 impl Direction {
@@ -85,57 +87,97 @@ impl Direction {
         let size = total / curves.len() as f64;
         let is_closed = knots.len() > 3
             && curves.iter().all(|curve| (curve[0] - curve[curve.len() - 1]).norm() < 1e-9 * size);
-        if !is_ascending {
-            return None;
-        }
-        let slopes = slopes(&knots, is_closed)?;
-        Some(Self { knots, slopes })
+        is_ascending.then_some(Self { knots, is_closed })
     }
 
+    /// Slopes of the spline at the knots.
     fn slopes(&self, values: &[Vector3<f64>]) -> Vec<Vector3<f64>> {
-        let of = |i: usize| values.iter().enumerate().map(|(j, value)| value * self.slopes[(i, j)]).sum();
-        (0..values.len()).map(of).collect()
+        let h: Vec<f64> = self.knots.windows(2).map(|pair| pair[1] - pair[0]).collect();
+        let means: Vec<_> = values.windows(2).zip(&h).map(|(pair, h)| (pair[1] - pair[0]) / *h).collect();
+        // Continuous second derivatives between two spans.
+        let smooth = |[before, after]: [usize; 2]| Row {
+            lower: h[after],
+            diagonal: 2.0 * (h[before] + h[after]),
+            upper: h[before],
+            right: 3.0 * (means[before] * h[after] + means[after] * h[before]),
+        };
+        let last = values.len() - 1;
+        let inner = (1..last).map(|i| smooth([i - 1, i]));
+        if self.is_closed {
+            let mut slopes = solve_cyclic(std::iter::once(smooth([last - 1, 0])).chain(inner).collect());
+            slopes.push(slopes[0]);
+            return slopes;
+        }
+        // A line, a parabola, or a continuous third derivative.
+        let end = |end: usize, next: usize| match values.len() {
+            2 => [1.0, 0.0, 1.0, 0.0],
+            3 => [1.0, 1.0, 2.0, 0.0],
+            _ => {
+                let both = h[end] + h[next];
+                [h[next], both, (h[end] + 2.0 * both) * h[next] / both, h[end] * h[end] / both]
+            }
+        };
+        let [next, before] = [1.min(last - 1), last.saturating_sub(2)];
+        let [diagonal, upper, own, other] = end(0, next);
+        let first = Row { lower: 0.0, diagonal, upper, right: means[0] * own + means[next] * other };
+        let [diagonal, lower, own, other] = end(last - 1, before);
+        let right = means[last - 1] * own + means[before] * other;
+        let rows = std::iter::once(first).chain(inner);
+        solve(rows.chain([Row { lower, diagonal, upper: 0.0, right }]).collect())
     }
 }
 
-/// Returns the slopes at the knots for unit values at each knot.
-fn slopes(x: &[f64], is_closed: bool) -> Option<DMatrix<f64>> {
-    let n = x.len();
-    let h: Vec<f64> = x.windows(2).map(|pair| pair[1] - pair[0]).collect();
-    let (mut a, mut b) = (DMatrix::zeros(n, n), DMatrix::zeros(n, n));
-    // Adds a multiple of the mean slope of a span to the right-hand side of a row.
-    let add = |b: &mut DMatrix<f64>, row: usize, span: usize, factor: f64| {
-        b[(row, span)] -= factor / h[span];
-        b[(row, span + 1)] += factor / h[span];
-    };
-    // Continuous second derivatives between two spans.
-    let smooth = |a: &mut DMatrix<f64>, b: &mut DMatrix<f64>, row: usize, [before, after]: [usize; 2]| {
-        a[(row, before)] += h[after];
-        a[(row, row)] += 2.0 * (h[before] + h[after]);
-        a[(row, after + 1)] += h[before];
-        add(b, row, before, 3.0 * h[after]);
-        add(b, row, after, 3.0 * h[before]);
-    };
-    (1..n - 1).for_each(|i| smooth(&mut a, &mut b, i, [i - 1, i]));
-    let last = n - 1;
-    if is_closed {
-        smooth(&mut a, &mut b, 0, [last - 1, 0]);
-        (a[(last, 0)], a[(last, last)]) = (-1.0, 1.0);
-    } else if n < 4 {
-        // A line, or a parabola.
-        for (row, other, span) in [(0, 1, 0), (last, last - 1, last - 1)] {
-            (a[(row, row)], a[(row, other)]) = (1.0, if n == 2 { 0.0 } else { 1.0 });
-            add(&mut b, row, span, if n == 2 { 1.0 } else { 2.0 });
-        }
-    } else {
-        for (row, other, [end, next]) in [(0, 1, [0, 1]), (last, last - 1, [last - 1, last - 2])] {
-            let both = h[end] + h[next];
-            (a[(row, row)], a[(row, other)]) = (h[next], both);
-            add(&mut b, row, end, (h[end] + 2.0 * both) * h[next] / both);
-            add(&mut b, row, next, h[end] * h[end] / both);
-        }
+/// Row of a tridiagonal system with its right-hand side.
+#[derive(Clone, Copy, Debug)]
+struct Row<T> {
+    lower: f64,
+    diagonal: f64,
+    upper: f64,
+    right: T,
+}
+
+/// Solves a tridiagonal system by elimination without pivoting. The pivots of a spline are positive.
+fn solve<T: Copy + Sub<Output = T> + Mul<f64, Output = T>>(mut rows: Vec<Row<T>>) -> Vec<T> {
+    for i in 1..rows.len() {
+        let before = rows[i - 1];
+        let factor = rows[i].lower / before.diagonal;
+        rows[i].diagonal -= factor * before.upper;
+        rows[i].right = rows[i].right - before.right * factor;
     }
-    a.lu().solve(&b)
+    for i in (0..rows.len()).rev() {
+        let next = rows.get(i + 1).map(|next| next.right * rows[i].upper);
+        let row = &mut rows[i];
+        row.right = next.map_or(row.right, |next| row.right - next) * row.diagonal.recip();
+    }
+    rows.into_iter().map(|row| row.right).collect()
+}
+
+/// Solves a system whose first row has its lower coefficient in the last column, and whose last row has its upper coefficient in the
+/// first column.
+///
+/// Source: Sherman & Morrison (1950), for the two corners.
+fn solve_cyclic(mut rows: Vec<Row<Vector3<f64>>>) -> Vec<Vector3<f64>> {
+    let last = rows.len() - 1;
+    let (corners, pivot) = ([rows[0].lower, rows[last].upper], -rows[0].diagonal);
+    rows[0].diagonal -= pivot;
+    rows[last].diagonal -= corners[0] * corners[1] / pivot;
+    let of_corner = |i: usize| if i == 0 { pivot } else { corners[1] * f64::from(u8::from(i == last)) };
+    let column = solve(
+        rows.iter()
+            .enumerate()
+            .map(|(i, row)| Row {
+                lower: row.lower,
+                diagonal: row.diagonal,
+                upper: row.upper,
+                right: of_corner(i),
+            })
+            .collect(),
+    );
+    let mut solution = solve(rows);
+    let factor = corners[0] / pivot;
+    let part = (solution[0] + solution[last] * factor) / (1.0 + column[0] + column[last] * factor);
+    solution.iter_mut().zip(column).for_each(|(x, column)| *x -= part * column);
+    solution
 }
 
 /// Span of a parameter, with the values and derivatives of Hermite's functions of its ends (value, slope; value, slope).

@@ -7,7 +7,6 @@ mod layer;
 mod layup;
 mod membrane;
 mod mesh_group;
-mod normal;
 mod shear_shell;
 mod shell;
 mod spline_surface;

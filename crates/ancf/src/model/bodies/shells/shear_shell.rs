@@ -7,10 +7,11 @@ use serde::{Deserialize, Serialize};
 
 use super::element_mesh::ElementMesh;
 use super::element_nodes::ElementNodes;
-use super::fields::{FibreAngle, FibreAxis, FieldPlace, FieldPoint, FieldShell, GivenFields, ShellThickness};
+use super::fields::{
+    FibreAngle, FibreAxis, FieldPlace, FieldPoint, FieldShell, GivenFields, ShellThickness, is_parallel,
+};
 use super::layer::Layer;
 use super::layup::Layup;
-use super::normal::is_parallel;
 use crate::errors::number;
 use crate::model::bodies::parts::{At, EdgeName, EdgePlace, InitialMotion, NodePlace, PointPlace};
 use crate::units::Scaled;

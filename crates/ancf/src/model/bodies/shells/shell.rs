@@ -3,11 +3,12 @@ use nalgebra::Vector3;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::fields::{FibreAngle, FibreAxis, FieldPlace, FieldPoint, FieldShell, GivenFields, ShellThickness};
+use super::fields::{
+    FibreAngle, FibreAxis, FieldPlace, FieldPoint, FieldShell, GivenFields, ShellThickness, is_parallel,
+};
 use super::layer::Layer;
 use super::layup::Layup;
 use super::membrane::Membrane;
-use super::normal::is_parallel;
 use super::surface::{ShellSurface, SurfaceGeometry};
 use crate::errors::number;
 use crate::model::bodies::parts::{EdgeName, InitialMotion};

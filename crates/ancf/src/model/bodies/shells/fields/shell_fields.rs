@@ -2,8 +2,8 @@ use ancf_mechanics::functions::ExpressionError;
 use ancf_mechanics::shells::{LocalSection, PlaceFormula};
 use nalgebra::Vector3;
 
-use super::super::normal::is_parallel;
 use super::fibres::{AngleField, AxisField, FibreAngle, FibreAxis};
+use super::normal::is_parallel;
 use super::thickness::{ShellThickness, ThicknessField};
 use crate::errors::is_direction;
 

@@ -2,8 +2,8 @@
 
 use ancf::Model;
 use ancf::model::{
-    At, Body, ContactSurface, Coupling, End, InitialMotion, Joint, JointCoordinate, Load, Measure, Place,
-    Shape,
+    At, Body, ContactSurface, Coupling, End, FibreAngle, InitialMotion, Joint, JointCoordinate, Load,
+    Measure, Place, Shape, ShellThickness, ThicknessField,
 };
 
 use super::frame::Frame;
@@ -99,7 +99,17 @@ impl Frame {
             }
             Body::ShearShell(shell) => {
                 // The stress axis of a shell without an axis depends on the frame.
-                shell.fibre_axis = Some(self.polar(shell.fibre_axis?));
+                // Formulas in x, y and z are not transformed.
+                let axis = shell.fibre_axis.as_ref()?.uniform()?;
+                shell.fibre_axis = Some(self.polar(axis).into());
+                if matches!(shell.thickness, ShellThickness::Varying(ThicknessField::Expression { .. })) {
+                    return None;
+                }
+                if let Some(angle) = &mut shell.fibre_angle {
+                    let FibreAngle::Uniform(angle) = angle else { return None };
+                    // The normal keeps its side of the shell as a polar vector: the angle about it is reversed.
+                    *angle *= self.sign();
+                }
                 shell.mesh.nodes.iter_mut().for_each(|node| *node = self.point(*node));
                 shell.mesh.directors.iter_mut().for_each(|director| *director = self.polar(*director));
                 // The normal is on the other side of a reflected element, unless its nodes have the opposite order.

@@ -71,10 +71,11 @@ fn patch(draft: &mut Draft, start: Vector3<f64>) -> Patch {
     }
     let thickness = rounded(draft.sizes.diameter * draft.random.within(0.3, 1.0));
     let points: Vec<Value> = nodes.iter().map(list).collect();
+    let (given, turned) = fields(draft, thickness, nodes.len());
     let (material, motion) = (bodies::material(draft, true), bodies::motion(draft, true));
     draft.bodies.push(json!({
         "kind": "shear_shell", "name": name, "mesh": { "nodes": points, "elements": elements },
-        "thickness": thickness, "material": material, "fibre_axis": list(&(turn * Vector3::x())), "motion": motion,
+        "thickness": given, "fibre_angle": turned, "material": material, "fibre_axis": list(&(turn * Vector3::x())), "motion": motion,
     }));
     let spot = |node: usize| Spot {
         body: name.clone(),
@@ -85,6 +86,30 @@ fn patch(draft: &mut Draft, start: Vector3<f64>) -> Patch {
     };
     let inside = start + turn * Vector3::new(0.5 * sides[0], 0.4 * sides[1], -0.6 * sides[0]);
     Patch { spots: vec![spot(0), spot(nodes.len() - 1)], thickness, inside }
+}
+
+/// Thickness and angle of the fibres: fields in some cases. They have random numbers of their own.
+fn fields(draft: &mut Draft, thickness: f64, nodes: usize) -> (Value, Value) {
+    let mut own = Random::new(draft.random.clone().bits() ^ STREAM.rotate_left(13));
+    let length = draft.sizes.length;
+    let varies = own.chance(0.4);
+    let given = match varies.then(|| own.index(2)) {
+        None => json!(thickness),
+        Some(0) => {
+            let values: Vec<f64> = (0..nodes).map(|_| rounded(thickness * own.within(0.5, 1.5))).collect();
+            json!({ "kind": "nodes", "values": values })
+        }
+        Some(_) => {
+            let part = rounded(thickness / length);
+            json!({ "kind": "expression", "text": format!("{part}*(1 + 0.4*sin(3*x - 2*y + z))"), "unit": length })
+        }
+    };
+    let angle = match own.index(4) {
+        0 => json!({ "kind": "expression", "text": "0.8*x - 0.5*y*z", "unit": length }),
+        1 => json!(rounded(own.within(-1.5, 1.5))),
+        _ => json!(0.0),
+    };
+    (given, angle)
 }
 
 /// Adds prescribed strains and curvatures in some cases. They have random numbers of their own, as shells.

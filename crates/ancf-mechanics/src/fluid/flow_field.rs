@@ -46,7 +46,7 @@ pub(super) struct FluidMotion {
 /// Hydrodynamic properties of a shell.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HydroSurface {
-    /// Thickness h.
+    /// Thickness h, of a shell whose thickness varies that of the whole shell.
     pub thickness: f64,
     /// Drag coefficients: C_n across the surface, and C_t along it.
     pub drag: [f64; 2],

@@ -92,11 +92,12 @@ impl SurfaceStation {
 
 impl SurfaceFlowLoad {
     /// Creates the load of an element from its points, tangents and areas.
-    fn new(fluid: &Arc<FlowField>, surface: &HydroSurface, points: Vec<([Marker; 3], f64)>) -> Self {
+    fn new(fluid: &Arc<FlowField>, surface: &HydroSurface, points: Vec<([Marker; 3], [f64; 2])>) -> Self {
         let coordinates = Marker::union_coordinates(points.iter().flat_map(|(markers, _)| markers));
-        let station = |(markers, area): ([Marker; 3], f64)| {
+        let station = |(markers, [area, scale]): ([Marker; 3], [f64; 2])| {
             let [point, a, b] = markers.map(|marker| marker.within(&coordinates));
-            let coefficients = HydroCoefficients::of_surface(fluid, surface, area);
+            let surface = HydroSurface { thickness: scale * surface.thickness, ..*surface };
+            let coefficients = HydroCoefficients::of_surface(fluid, &surface, area);
             SurfaceStation { point, tangents: [a, b], coefficients }
         };
         let stations: Vec<SurfaceStation> = points.into_iter().map(station).collect();

@@ -7,8 +7,9 @@ use nalgebra::Vector3;
 use pulp::Arch;
 
 use super::hermite::{Shape, VECTORS};
+use super::laminates::SectionField;
 use super::nonlinear_membrane::NonlinearMembrane;
-use super::prestrain::{StrainField, StrainedElement, SurfaceLaw};
+use super::prestrain::{StrainField, StrainedElement};
 use super::profile::{MembraneStiffness, POINTS, ShellMedium, ShellProfile, ShellTables, sum};
 use super::rounding::{add_rounding, add_stress_rounding};
 use super::stiffness::{ShellMatrix, StiffnessJob};
@@ -46,14 +47,17 @@ impl Shell48 {
     pub fn all(
         elements: impl IntoIterator<Item = (Vec<usize>, [Vector3<f64>; VECTORS])>,
         medium: &ShellMedium,
+        sections: Option<&SectionField>,
     ) -> Vec<Self> {
         let tables = Arc::new(ShellTables::new());
-        let element = |(coordinates, reference): (Vec<usize>, _)| {
-            let profile = Arc::new(ShellProfile::new(&tables, &reference, medium));
+        let element = |(k, (coordinates, reference)): (usize, (Vec<usize>, _))| {
+            let places = || ShellProfile::section_places().into_iter().map(|(at, _)| at);
+            let local = SectionField::of_element(sections, k, places);
+            let profile = Arc::new(ShellProfile::new(&tables, &reference, medium, local));
             let nonlinear = NonlinearMembrane::new(&profile).map(Arc::new);
             Self { coordinates, tables: Arc::clone(&tables), profile, nonlinear }
         };
-        elements.into_iter().map(element).collect()
+        elements.into_iter().enumerate().map(element).collect()
     }
 
     /// Returns the constant data.
@@ -339,23 +343,18 @@ impl StrainedElement for Shell48 {
         stress.product(strains)
     }
 
-    fn law(&self) -> SurfaceLaw<'_> {
-        let medium = &self.profile.medium;
-        SurfaceLaw { section: &medium.section, axis: medium.axis, stress_axis: None }
-    }
-
     fn retardation(&self) -> f64 {
         self.profile.medium.retardation
     }
 
     fn sampled(&self, field: StrainField<'_>) -> ShellStrains {
         let (profile, mut strains) = (&self.profile, ShellStrains::ZERO);
-        let samples = profile.samples.iter().zip(&self.tables.samples);
-        for (strain, ([t, s], sample)) in strains.membrane.iter_mut().zip(samples) {
-            *strain = field([t, s])[0][sample.component];
+        let at = |place: usize, [t, s]: [&Vector3<f64>; 2]| field(&profile.law(place, [t, s]), [t, s]);
+        for (k, ([t, s], sample)) in profile.samples.iter().zip(&self.tables.samples).enumerate() {
+            strains.membrane[k] = at(POINTS + k, [t, s])[0][sample.component];
         }
-        for (curvature, point) in strains.bending.iter_mut().zip(&profile.points) {
-            *curvature = field([&point.reference[0], &point.reference[1]])[1];
+        for (k, point) in profile.points.iter().enumerate() {
+            strains.bending[k] = at(k, [&point.reference[0], &point.reference[1]])[1];
         }
         strains
     }

@@ -7,6 +7,7 @@ use nalgebra::Vector3;
 use super::element::Shell48;
 use super::element_surface::ElementSurface;
 use super::hermite::{VECTORS, bicubic};
+use super::laminates::SectionField;
 use super::prestrain::{ElementPrestrain, SurfacePrestrain, SurfacePrestrains};
 use super::profile::{ShellMedium, integration_points};
 use crate::inertia::MassVisitor;
@@ -41,6 +42,7 @@ pub struct ShellMesh {
     /// Reference values of the vectors, positions relative to the origin.
     reference: Vec<Vector3<f64>>,
     elements: Arc<Vec<Shell48>>,
+    pub(super) sections: Option<SectionField>,
     prestrains: SurfacePrestrains,
 }
 
@@ -52,6 +54,17 @@ impl ShellMesh {
         origin: Vector3<f64>,
         map: impl Fn([f64; 2]) -> [Vector3<f64>; 4],
         medium: &ShellMedium,
+    ) -> Self {
+        Self::varying(first, divisions, origin, map, (medium, None))
+    }
+
+    /// Creates a mesh as [`new`](Self::new), with sections that vary over the surface.
+    pub fn varying(
+        first: usize,
+        divisions: [usize; 2],
+        origin: Vector3<f64>,
+        map: impl Fn([f64; 2]) -> [Vector3<f64>; 4],
+        (medium, sections): (&ShellMedium, Option<SectionField>),
     ) -> Self {
         let [n, m] = divisions;
         let scale = [1.0, 1.0 / n as f64, 1.0 / m as f64, 1.0 / (n * m) as f64];
@@ -71,9 +84,9 @@ impl ShellMesh {
                 |a: usize| reference[own[a]] - if a.is_multiple_of(4) { corner } else { Vector3::zeros() };
             (coordinates, std::array::from_fn(of))
         });
-        let elements = Arc::new(Shell48::all(data, medium));
+        let elements = Arc::new(Shell48::all(data, medium, sections.as_ref()));
         let prestrains = SurfacePrestrains::default();
-        Self { first, divisions, origin, reference, elements, prestrains }
+        Self { first, divisions, origin, reference, elements, sections, prestrains }
     }
 
     /// Prescribes strains.
@@ -250,14 +263,20 @@ impl ShellMesh {
         self.divisions.map(|count| count * parts)
     }
 
-    /// Returns the points r, tangents r_ξ and r_η and areas at the integration points of an element.
-    pub(crate) fn flow_points(&self, element: usize) -> Vec<([Marker; 3], f64)> {
-        let of = |(at, weight): ([f64; 2], f64)| {
+    /// Returns the tangents r_ξ and r_η of the reference surface at a point of an element.
+    pub(super) fn tangents(&self, element: usize, local: [f64; 2]) -> [Vector3<f64>; 2] {
+        [[1, 0], [0, 1]].map(|order| self.marker(element, &bicubic(local, order)).reference())
+    }
+
+    /// Returns the points r, tangents r_ξ and r_η, areas and relative thicknesses at the integration points of an element.
+    pub(crate) fn flow_points(&self, element: usize) -> Vec<([Marker; 3], [f64; 2])> {
+        let profile = self.elements[element].profile();
+        let of = |(k, (at, weight)): (usize, ([f64; 2], f64))| {
             let markers = [[0, 0], [1, 0], [0, 1]].map(|order| self.marker(element, &bicubic(at, order)));
             let area = markers[1].reference().cross(&markers[2].reference()).norm();
-            (markers, weight * area)
+            (markers, [weight * area, profile.scale(k)])
         };
-        integration_points().into_iter().map(of).collect()
+        integration_points().into_iter().enumerate().map(of).collect()
     }
 
     /// Returns the surfaces of the elements, with marks of the edges ξ = 0 and 1, η = 0 and 1 that are edges of the patch.
@@ -277,21 +296,20 @@ impl ShellMesh {
 
     /// Returns the largest length of r_ξ and r_η in the middle of an element.
     pub fn largest_side(&self) -> f64 {
-        let size = |element: usize| {
-            let sides = [[1, 0], [0, 1]].map(|order| self.marker(element, &bicubic([0.5; 2], order)));
-            sides.iter().map(|side| side.reference().norm()).fold(0.0, f64::max)
-        };
+        let size =
+            |element: usize| self.tangents(element, [0.5; 2]).iter().map(Vector3::norm).fold(0.0, f64::max);
         (0..self.elements.len()).map(size).fold(0.0, f64::max)
     }
 
-    /// Returns the points of Simpson's rule on `cells` × `cells` cells of each element, along u first, with their reference areas.
-    pub fn surface_points(&self, cells: usize) -> impl Iterator<Item = (Marker, f64)> + '_ {
+    /// Returns the points of Simpson's rule on `cells` × `cells` cells of each element, along u first, with their reference areas and
+    /// relative thicknesses.
+    pub fn surface_points(&self, cells: usize) -> impl Iterator<Item = (Marker, [f64; 2])> + '_ {
         let [n, m] = self.divisions;
         (0..n * m).flat_map(move |element| {
             simpson_points(cells).map(move |(at, weight)| {
-                let of = |order| self.marker(element, &bicubic(at, order));
-                let [t, s] = [[1, 0], [0, 1]].map(|order| of(order).reference());
-                (of([0, 0]), t.cross(&s).norm() * weight)
+                let [t, s] = self.tangents(element, at);
+                let scale = self.sections.as_ref().map_or(1.0, |field| field.at(element, at).scale);
+                (self.marker(element, &bicubic(at, [0, 0])), [t.cross(&s).norm() * weight, scale])
             })
         })
     }

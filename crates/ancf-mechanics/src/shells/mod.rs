@@ -21,8 +21,8 @@ pub use element::Shell48;
 pub use element_surface::ElementSurface;
 pub use hermite::VECTORS;
 pub use laminates::{
-    Laminate, MembraneEnergy, MembraneLaw, MembraneState, Ply, PlyElasticity, ShellSection, SurfaceMaterial,
-    ThickSection,
+    Laminate, LocalSection, MembraneEnergy, MembraneLaw, MembraneState, PlaceFormula, Ply, PlyElasticity,
+    SectionField, ShellSection, SurfaceMaterial, ThickSection,
 };
 pub use mesh::{ShellEdge, ShellMesh};
 pub use pressure::{ElementPatch, EnclosedVolume, GasPressure, PatchMeasures, SurfacePatch};

@@ -12,7 +12,7 @@ use super::surface_state::ShellStrains;
 #[derive(Clone, Debug)]
 pub(crate) struct NonlinearMembrane {
     law: MembraneLaw,
-    /// Matrix from covariant components of strains to an orthonormal basis, and the area of each point.
+    /// Matrix from covariant components of strains to an orthonormal basis, and the area of each point times its relative thickness.
     points: Vec<(Matrix3<f64>, f64)>,
 }
 
@@ -23,11 +23,14 @@ impl NonlinearMembrane {
     /// Creates the law at the points of an element; `None` for a linear one.
     pub(crate) fn new(profile: &ShellProfile) -> Option<Self> {
         let law = profile.medium.section.law?;
-        let of = |(point, (_, weight)): (&BendingPoint, ([f64; 2], f64))| {
+        let of = |(k, (point, (_, weight))): (usize, (&BendingPoint, ([f64; 2], f64)))| {
             let [t, s, ..] = &point.reference;
-            (to_orthonormal([t, s], t), weight * point.area)
+            (to_orthonormal([t, s], t), weight * point.area * profile.scale(k))
         };
-        Some(Self { law, points: profile.points.iter().zip(integration_points()).map(of).collect() })
+        Some(Self {
+            law,
+            points: profile.points.iter().zip(integration_points()).enumerate().map(of).collect(),
+        })
     }
 
     /// Returns the state at a point with a covariant strain.

@@ -2,7 +2,8 @@ use nalgebra::{Cholesky, Matrix3, SMatrix, Vector3};
 use pulp::Simd;
 
 use super::hermite::{Shape, VECTORS, bicubic, hermite, surface_derivatives};
-use super::laminates::ShellSection;
+use super::laminates::{LocalSection, ShellSection};
+use super::prestrain::SurfaceLaw;
 use super::rows::Row;
 use crate::kinematics::gauss4;
 
@@ -34,6 +35,15 @@ pub struct ShellMedium {
     pub gravity: Vector3<f64>,
 }
 
+impl ShellMedium {
+    /// Returns the law at a point with a section of its own and reference tangents.
+    pub(crate) fn law(&self, local: Option<&LocalSection>, tangents: [&Vector3<f64>; 2]) -> SurfaceLaw {
+        let local = local.unwrap_or(&LocalSection::WHOLE);
+        let (section, axis) = (self.section.scaled(local.scale), local.axis_at(self.axis, tangents));
+        SurfaceLaw { section, axis, stress_axis: None }
+    }
+}
+
 /// Integration point of bending.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct BendingPoint {
@@ -61,6 +71,8 @@ pub struct ShellProfile {
     pub(crate) mass: [Row; VECTORS],
     pub(crate) first: Shape,
     pub(crate) medium: ShellMedium,
+    /// Sections at the places of [`section_places`](ShellProfile::section_places); none for equal sections.
+    sections: Vec<LocalSection>,
 }
 
 /// Shape functions at the points of the unit square, common to all elements.
@@ -202,11 +214,12 @@ pub(crate) fn sum(shape: &Shape, x: &[Vector3<f64>; VECTORS]) -> Vector3<f64> {
 impl ShellProfile {
     /// Creates the data of an element with the given nodal vectors in the reference state.
     ///
-    /// Positions may be relative to any point.
+    /// Positions may be relative to any point. `sections` are those at the [`section_places`](Self::section_places), or none.
     pub(crate) fn new(
         tables: &ShellTables,
         reference: &[Vector3<f64>; VECTORS],
         medium: &ShellMedium,
+        sections: Vec<LocalSection>,
     ) -> Self {
         let rule = integration_points();
         let mut membrane = SMatrix::<f64, MEMBRANE, MEMBRANE>::zeros();
@@ -216,14 +229,15 @@ impl ShellProfile {
             let values = tables.points[k].map(|shape| sum(&shape.0, reference));
             let normal = values[0].cross(&values[1]);
             let area = normal.norm();
-            let [a, b, d] =
-                medium.section.covariant([&values[0], &values[1]], medium.axis).map(|c| c * (weight * area));
+            let tangents = [&values[0], &values[1]];
+            let law = medium.law(sections.get(k), tangents);
+            let [a, b, d] = law.section.covariant(tangents, law.axis).map(|c| c * (weight * area));
             tables.add_membrane_stiffness(k, &a, &mut membrane);
             let shape = bicubic(at, [0, 0]);
             for i in 0..VECTORS {
-                first[i] += weight * area * medium.section.density * shape[i];
+                first[i] += weight * area * law.section.density * shape[i];
                 for j in 0..VECTORS {
-                    mass[i].0[j] += weight * area * medium.section.density * shape[i] * shape[j];
+                    mass[i].0[j] += weight * area * law.section.density * shape[i] * shape[j];
                 }
             }
             points.push(BendingPoint {
@@ -238,7 +252,25 @@ impl ShellProfile {
             tables.samples.iter().map(|sample| sample.shapes.map(|shape| sum(&shape, reference))).collect();
         let is_coupled = medium.section.coupling != Matrix3::zeros();
         let membrane = MembraneStiffness::new(&membrane);
-        Self { points, samples, membrane, is_coupled, mass, first, medium: *medium }
+        Self { points, samples, membrane, is_coupled, mass, first, medium: *medium, sections }
+    }
+
+    /// Returns the places of an element at which sections are evaluated: the integration points with their weights, then the sampling
+    /// points of the membrane strains, among them the corners, with the weight 0.
+    pub fn section_places() -> Vec<([f64; 2], f64)> {
+        let mut places = integration_points().to_vec();
+        each_sample(|_, [along, across], [i, j]| places.push(([along[i], across[j]], 0.0)));
+        places
+    }
+
+    /// Returns the law at one of the [`section_places`](Self::section_places) with reference tangents.
+    pub(crate) fn law(&self, place: usize, tangents: [&Vector3<f64>; 2]) -> SurfaceLaw {
+        self.medium.law(self.sections.get(place), tangents)
+    }
+
+    /// Returns the thickness at an integration point, relative to that of the whole shell.
+    pub(crate) fn scale(&self, point: usize) -> f64 {
+        self.sections.get(point).map_or(1.0, |section| section.scale)
     }
 
     /// Returns ∫ N_a dA.

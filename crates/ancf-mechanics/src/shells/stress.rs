@@ -8,10 +8,10 @@ use nalgebra::Vector3;
 use super::hermite::{Shape, VECTORS, bicubic, surface_derivatives};
 use super::laminates::to_orthonormal;
 use super::mesh::ShellMesh;
-use super::prestrain::{Factors, StrainedElement};
+use super::prestrain::{Factors, SurfaceLaw};
 use super::profile::{MEMBRANE, each_sample, lagrange, sum};
 use super::surface_state::VOIGT;
-use super::surface_stress::SurfaceStress;
+use super::surface_stress::{SurfaceStress, direction};
 
 /// Component and shape derivatives by ξ and η of each membrane strain of an element.
 static SAMPLES: LazyLock<Vec<(usize, [Shape; 2])>> = LazyLock::new(|| {
@@ -121,35 +121,40 @@ impl ShellMesh {
                 let own = [0, 1].map(|k| if back[k] == 1 { 1.0 } else { local[k] });
                 let element = j * n + i;
                 total.iter_mut().zip(strains(element, own)).for_each(|(sum, own)| *sum += own);
-                let own = self.prescribed_strains(at, element, factors);
+                let own = self.prescribed_strains((at, own), element, factors);
                 prescribed.iter_mut().zip(own).for_each(|(sum, own)| *sum += own);
                 count += 1.0;
             }
         }
-        let medium = &self.elements()[element].profile().medium;
-        let direction = medium.axis.map_or([1.0, 0.0], |axis| self.direction(at, &axis));
+        let law = self.law_at(element, local);
+        let [t, s] = [[1, 0], [0, 1]].map(|order| self.derivative(at, order).reference());
+        let turned = |axis| direction([&t, &axis], &t.cross(&s).normalize());
+        let direction = law.axis.map_or([1.0, 0.0], turned);
         let [total, prescribed] = [total, prescribed].map(|sum| sum.map(|x| x / count));
-        SurfaceStress::new(&medium.section, direction, total, prescribed)
+        SurfaceStress::new(&law.section, direction, total, prescribed)
+    }
+
+    /// Returns the law of the section at a point of an element.
+    fn law_at(&self, element: usize, local: [f64; 2]) -> SurfaceLaw {
+        let section = self.sections.as_ref().map(|field| field.at(element, local));
+        let [t, s] = self.tangents(element, local);
+        self.elements()[element].profile().medium.law(section.as_ref(), [&t, &s])
     }
 
     /// Returns the prescribed strains of an element at (u, v), in the orthonormal frame of stresses.
-    fn prescribed_strains(&self, at: [f64; 2], element: usize, factors: &Factors) -> [Vector3<f64>; 2] {
+    fn prescribed_strains(
+        &self,
+        (at, local): ([f64; 2], [f64; 2]),
+        element: usize,
+        factors: &Factors,
+    ) -> [Vector3<f64>; 2] {
         if factors.is_empty() {
             return [Vector3::zeros(); 2];
         }
         let [t, s] = [[1, 0], [0, 1]].map(|order| self.derivative(at, order).reference());
-        let law = self.elements()[element].law();
+        let law = self.law_at(element, local);
         let covariant = self.prestrains().at(element, &law, [&t, &s], factors);
         let to_local = to_orthonormal([&t, &s], &t);
         covariant.map(|strain| to_local * strain)
-    }
-
-    /// Returns cosine and sine of the angle about the normal from r_,u to the projection of an axis, in the reference state.
-    fn direction(&self, at: [f64; 2], axis: &Vector3<f64>) -> [f64; 2] {
-        let [t, s] = [[1, 0], [0, 1]].map(|order| self.derivative(at, order).reference());
-        let e1 = t.normalize();
-        let components = [axis.dot(&e1), axis.dot(&t.cross(&s).normalize().cross(&e1))];
-        let length = components[0].hypot(components[1]);
-        components.map(|x| x / length)
     }
 }

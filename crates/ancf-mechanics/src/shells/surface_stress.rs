@@ -26,6 +26,14 @@ pub struct SurfaceStress {
     pub layers: [Vector3<f64>; 3],
 }
 
+/// Returns cosine and sine of the angle about a unit normal from the projection of one axis to that of another.
+pub(crate) fn direction([from, to]: [&Vector3<f64>; 2], normal: &Vector3<f64>) -> [f64; 2] {
+    let e1 = (from - normal * from.dot(normal)).normalize();
+    let components = [to.dot(&e1), to.dot(&normal.cross(&e1))];
+    let length = components[0].hypot(components[1]);
+    components.map(|x| x / length)
+}
+
 impl SurfaceStress {
     /// Computes resultants and stresses by the law of a section, whose first direction has the given cosine and sine in (e₁, e₂), from
     /// the strains and the prescribed ones.

@@ -55,7 +55,7 @@ pub struct SurfaceGrid {
     pub counts: [usize; 2],
     /// Cells per element in each direction.
     pub parts: usize,
-    /// Half of the thickness.
+    /// Half of the thickness; of one that varies, half of the largest at the stations.
     pub half: f64,
 }
 
@@ -148,7 +148,20 @@ impl BodyShape {
         }
     }
 
-    /// Factors of y and z at a station, counted from the first station of the body.
+    /// Shape of a shell with the thickness at its stations.
+    #[must_use]
+    pub(crate) fn with_thickness(mut self, thickness: &[f64]) -> Self {
+        let largest = thickness.iter().copied().fold(0.0, f64::max);
+        if let Some(grid) = &mut self.grid
+            && thickness.iter().any(|h| *h != largest)
+        {
+            grid.half = 0.5 * largest;
+            self.scale = Some(thickness.iter().map(|h| [h / largest; 2]).collect());
+        }
+        self
+    }
+
+    /// Factors of y and z, or of the thickness, at a station, counted from the first station of the body.
     pub fn scale_at(&self, station: usize) -> [f64; 2] {
         self.scale.as_ref().and_then(|scale| scale.get(station).copied()).unwrap_or([1.0; 2])
     }
@@ -172,11 +185,11 @@ fn grid(body: &Body, parts: usize) -> Option<SurfaceGrid> {
     match body {
         Body::Shell(shell) => {
             let counts = shell.elements.map(|count| count as usize * parts + 1);
-            Some(SurfaceGrid { patches: 1, counts, parts, half: 0.5 * shell.thickness })
+            Some(SurfaceGrid { patches: 1, counts, parts, half: 0.5 * shell.layup().thickness })
         }
         Body::ShearShell(shell) => {
             let patches = shell.mesh.elements.len();
-            Some(SurfaceGrid { patches, counts: [parts + 1; 2], parts, half: 0.5 * shell.thickness })
+            Some(SurfaceGrid { patches, counts: [parts + 1; 2], parts, half: 0.5 * shell.layup().thickness })
         }
         _ => None,
     }

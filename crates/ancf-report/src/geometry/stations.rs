@@ -55,7 +55,9 @@ impl<'a> Geometry<'a> {
             let stations = first..first + count;
             first += count;
             let surface = surfaces.get(number).cloned();
-            BodyShape::new(model, body, surface, stations, parts as usize, size)
+            let places = fields.stations()[stations.clone()].iter().filter_map(|station| station.surface);
+            let thickness = body.thickness_at(places).unwrap_or_default();
+            BodyShape::new(model, body, surface, stations, parts as usize, size).with_thickness(&thickness)
         });
         let bodies: Vec<_> = bodies.collect();
         let mut geometry = Self { bodies, fields, start: Vec::new() };

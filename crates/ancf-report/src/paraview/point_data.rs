@@ -102,7 +102,8 @@ impl PointData<'_> {
         let mut arrays: Vec<_> = ["u", "v"].into_iter().enumerate().map(parameter).collect();
         let thickness = |station: usize| {
             let shape = &self.geometry.bodies[stations[station].body];
-            shape.grid.map_or(f64::NAN, |grid| 2.0 * grid.half)
+            let scale = shape.scale_at(station - shape.stations.start)[0];
+            shape.grid.map_or(f64::NAN, |grid| 2.0 * grid.half * scale)
         };
         arrays.push(self.numbers("thickness", |point| thickness(point.station)));
         arrays

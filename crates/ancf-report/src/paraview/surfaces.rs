@@ -29,8 +29,8 @@ impl Mesh {
     fn plate(&mut self, number: usize, shape: &BodyShape, grid: &SurfaceGrid) {
         let first = self.points.len();
         for half in [grid.half, -grid.half] {
-            self.points
-                .extend(shape.stations.clone().map(|station| Point { station, arm: [half, 0.0, 0.0] }));
+            let point = |(k, station)| Point { station, arm: [half * shape.scale_at(k)[0], 0.0, 0.0] };
+            self.points.extend(shape.stations.clone().enumerate().map(point));
         }
         let below = first + shape.stations.len();
         for corners in grid.cells() {

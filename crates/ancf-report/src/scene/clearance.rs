@@ -74,7 +74,7 @@ fn radius(shape: &BodyShape, station: usize) -> f64 {
     let of_outline = || shape.outline.as_ref().map(|outline| outline.half_extents);
     let of_box = || shape.half_edges.map(|[x, y, z]| [x.max(y), z]);
     if let Some(grid) = &shape.grid {
-        return grid.half;
+        return grid.half * sz;
     }
     of_outline().map(|[y, z]| [y * sy, z * sz]).or_else(of_box).map_or(0.0, |[y, z]| y.max(z))
 }

@@ -7,7 +7,10 @@ use ancf_mechanics::shells::{ShearMedium, ShearShellMesh, ShellMedium, ShellMesh
 use nalgebra::Vector3;
 
 use crate::loads::{Load, rigidity};
-use crate::model::{Beam, Body, IndexedModel, MaterialLaw, Place, Probe, ShearShell, Shell, TimeMode};
+use crate::model::{
+    Beam, Body, FibreAxis, FieldShell as _, IndexedModel, MaterialLaw, Place, Probe, ShearShell, Shell,
+    TimeMode,
+};
 
 impl IndexedModel<'_> {
     /// Bodies as terms. Coordinates and multipliers are numbered consecutively.
@@ -71,17 +74,19 @@ impl IndexedModel<'_> {
     fn shell(&self, shell: &Shell, first: usize) -> ShellMesh {
         let material = &self.materials[shell.layers()[0].0];
         let law = shell.membrane.as_ref();
-        let law = law.and_then(|law| law.law(material.young, material.poisson, shell.thickness));
+        let layup = shell.layup();
+        let law = law.and_then(|law| law.law(material.young, material.poisson, layup.thickness));
         let medium = ShellMedium {
-            section: self.laminate(shell.layup()).section().with_law(law),
-            axis: shell.fibre_axis.map(Vector3::from),
+            section: self.laminate(layup).section().with_law(law),
+            axis: shell.fibre_axis.as_ref().and_then(FibreAxis::uniform).map(Vector3::from),
             retardation: material.damping.strain,
             mass_damping: material.damping.mass,
             gravity: Vector3::from(self.gravity),
         };
         let divisions = shell.elements.map(|count| count as usize);
         let geometry = shell.geometry();
-        ShellMesh::new(first, divisions, geometry.origin(), |at| geometry.map(at), &medium)
+        let sections = shell.section_field(layup.thickness);
+        ShellMesh::varying(first, divisions, geometry.origin(), |at| geometry.map(at), (&medium, sections))
     }
 
     fn shear_shell(&self, shell: &ShearShell, first: usize) -> ShearShellMesh {
@@ -95,7 +100,8 @@ impl IndexedModel<'_> {
             mass_damping: material.damping.mass,
             gravity: Vector3::from(self.gravity),
         };
-        ShearShellMesh::new(first, &shell.points(), &directors, shell.faces(), &medium)
+        let sections = shell.section_field(layup.thickness);
+        ShearShellMesh::varying(first, (&shell.points(), &directors), shell.faces(), &medium, sections)
     }
 
     fn mesh(&self, body: &Body, first: usize) -> BeamMesh {

@@ -2,12 +2,12 @@
 
 use std::collections::BTreeSet;
 
-use ancf_mechanics::functions::{ExpressionError, InputSignal};
+use ancf_mechanics::functions::InputSignal;
 use ancf_mechanics::laws::{ForceLaw as _, LawState, is_law_name};
 use nalgebra::Vector3;
 
 use super::findings::{COINCIDENT, body, rule_of_names};
-use crate::errors::{Finding, finding, number, quoted};
+use crate::errors::{Finding, finding, formula_error, number, quoted};
 use crate::joints::{End, Joint};
 use crate::model::{
     IndexedModel, Input, JointLaw, LawKind, LawUse, Model, Origin, TimeFunction, Varying, joints_of,
@@ -52,24 +52,13 @@ fn rule_of_function(path: &str, time: &TimeFunction) -> Option<Finding> {
 
 fn rule_of_formula(path: String, text: &str, time: &TimeFunction) -> Option<Finding> {
     match time.compile() {
-        Err(error) => Some(syntax(path, text, error)),
+        Err(error) => Some(formula_error(path, text, error)),
         Ok(function) => {
             let value = function.value(0.0);
             let found = || format!("a formula that is {value} at t = 0");
             (!value.is_finite()).then(|| finding(path, found(), "one that is a number"))
         }
     }
-}
-
-/// Finding for a syntax error of a formula.
-fn syntax(path: String, text: &str, error: ExpressionError) -> Finding {
-    let rest: String = text.chars().skip(error.at).collect();
-    let found = match rest.as_str() {
-        "" => "its end".to_owned(),
-        rest => quoted(rest),
-    };
-    let found = format!("{found} at character {}", error.at + 1);
-    finding(path, found, error.expected)
 }
 
 /// Checks that formulas of force laws are valid, defined in the undeformed state, and free of t in analyses without time.
@@ -108,7 +97,7 @@ fn rule_of_law(
     let key = format!("{path}.text");
     let law = match one.law.expression(one.kind, 1.0, signals) {
         Ok(law) => law?,
-        Err(error) => return Some(syntax(key, text, error).rests_on(["inputs".to_owned()])),
+        Err(error) => return Some(formula_error(key, text, error).rests_on(["inputs".to_owned()])),
     };
     if law.contains_time() && model.analysis.dynamics().is_none() {
         let expected = "a formula without `t`, since the analysis has no time; an input is a parameter";
@@ -169,7 +158,7 @@ fn rule_of_states(
     names.iter().enumerate().find_map(named).or_else(|| match one.law.state_law(one.kind, signals) {
         Err((number, error)) => {
             let k = number?;
-            Some(syntax(format!("{path}.states[{k}].rate"), &states[k].rate, error))
+            Some(formula_error(format!("{path}.states[{k}].rate"), &states[k].rate, error))
         }
         Ok(law) => {
             let ((law, _), at) = (law?, LawState { t: 0.0, x: 0.0, v: 0.0 });

@@ -1,5 +1,5 @@
 use crate::errors::short;
-use crate::model::{Body, Model, Shell};
+use crate::model::{Body, FieldShell as _, Model, Shell};
 
 /// Thickness of an isotropic shell, relative to the longer side, above which the neglected transverse shear changes the deflection
 /// of a supported plate by more than about 1 %.
@@ -20,7 +20,7 @@ pub(crate) fn thickness_warnings(model: &Model) -> Vec<String> {
         model.bodies.iter().filter_map(|body| if let Body::Shell(shell) = body { Some(shell) } else { None });
     let warning = |shell: &Shell| {
         let [_, u, v, _] = shell.geometry().map([0.5, 0.5]);
-        let ratio = shell.thickness / u.norm().max(v.norm());
+        let ratio = shell.thickness_range().largest / u.norm().max(v.norm());
         let moduli = moduli_ratio(model, shell);
         (ratio * (moduli / RATIO).sqrt() > THICK).then(|| {
             let by = if moduli > 2.0 * RATIO {
@@ -29,8 +29,9 @@ pub(crate) fn thickness_warnings(model: &Model) -> Vec<String> {
                 String::new()
             };
             format!(
-                "shell `{}`: its thickness is {} of its longer side{by}; transverse shear, which thin shells neglect, is not negligible",
+                "shell `{}`: its {}thickness is {} of its longer side{by}; transverse shear, which thin shells neglect, is not negligible",
                 shell.name,
+                if shell.thickness.uniform().is_some() { "" } else { "largest " },
                 short(ratio)
             )
         })
@@ -43,15 +44,17 @@ pub(crate) fn thickness_warnings(model: &Model) -> Vec<String> {
 /// Ratio of the larger modulus of bending, 12 D/h³, to the smallest shear modulus of the layers. The transverse shear moduli of
 /// fibre-reinforced materials, which models do not contain, are of the size of G_LT or smaller.
 fn moduli_ratio(model: &Model, shell: &Shell) -> f64 {
-    let bending = model.laminate(shell.layup()).section().bending;
+    let layup = shell.layup();
+    let bending = model.laminate(layup).section().bending;
     let shear = shell.layers().into_iter().map(|(material, ..)| model.materials[material].ply().shear);
-    let modulus = 12.0 * bending[(0, 0)].max(bending[(1, 1)]) / shell.thickness.powi(3);
+    let modulus = 12.0 * bending[(0, 0)].max(bending[(1, 1)]) / layup.thickness.powi(3);
     modulus / shear.fold(f64::INFINITY, f64::min)
 }
 
 /// Describes a laminate whose centre of mass is off the middle surface, in which the mass is assumed.
 fn mass_warning(model: &Model, shell: &Shell) -> Option<String> {
-    let part = model.laminate(shell.layup()).centre_of_mass() / shell.thickness;
+    let layup = shell.layup();
+    let part = model.laminate(layup).centre_of_mass() / layup.thickness;
     (part.abs() > OFF_CENTRE).then(|| {
         format!(
             "shell `{}`: the centre of mass of its layers is {} of the thickness off the middle surface, where the mass is assumed",

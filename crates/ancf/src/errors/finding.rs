@@ -1,7 +1,8 @@
+use ancf_mechanics::functions::ExpressionError;
 use nalgebra::Vector3;
 
 use super::error::ModelError;
-use super::words::number;
+use super::words::{number, quoted};
 
 /// Error of a model, with the conditions under which it is reported.
 #[derive(Debug)]
@@ -50,4 +51,15 @@ pub(crate) fn is_direction(vector: [f64; 3]) -> bool {
 /// Finding for a vector without direction.
 pub(crate) fn no_direction(path: String, vector: [f64; 3]) -> Finding {
     finding(path, format!("a vector of length {}", number(Vector3::from(vector).norm())), "a direction")
+}
+
+/// Finding for a syntax error of a formula.
+pub(crate) fn formula_error(path: String, text: &str, error: ExpressionError) -> Finding {
+    let rest: String = text.chars().skip(error.at).collect();
+    let found = match rest.as_str() {
+        "" => "its end".to_owned(),
+        rest => quoted(rest),
+    };
+    let found = format!("{found} at character {}", error.at + 1);
+    finding(path, found, error.expected)
 }

@@ -20,9 +20,10 @@ pub use analyses::{
     NewtonMethod, Origin, Output, Path, Probe, Quantity, Scheme, Sense, Start, Statics, Step, Stop, Unstable,
 };
 pub use bodies::{
-    At, Beam, Body, BodySurface, Cable, Capability, DisplayShape, EdgeName, EdgePlace, ElementMesh,
-    ElementNodes, Formulation, InitialMotion, Layer, Layup, Membrane, MembraneKind, MeshGroup, NamedPosition,
-    NodePlace, Place, PointMass, PointPlace, Rigid, Shape, ShearShell, Shell, ShellSurface, Slopes,
+    AngleField, At, AxisField, Beam, Body, BodySurface, Cable, Capability, DisplayShape, EdgeName, EdgePlace,
+    ElementMesh, ElementNodes, FibreAngle, FibreAxis, Formulation, InitialMotion, Layer, Layup, Membrane,
+    MembraneKind, MeshGroup, NamedPosition, NodePlace, Place, PointMass, PointPlace, Rigid, Shape,
+    ShearShell, Shell, ShellSurface, ShellThickness, Slopes, ThicknessField,
 };
 pub use contacts::{Contact, ContactSurface, Cylinder, ObstacleKind, Plane, Sphere};
 pub use functions::{Input, JointLaw, LawKind, LawSignal, LawStateEquation, LawUse, TimeFunction, Varying};
@@ -45,8 +46,8 @@ pub use crate::loads::{
 };
 pub use crate::units::{ScaleChoice, Units};
 pub(crate) use bodies::{
-    ON_AXIS, SurfaceGeometry, axis_on_shell, edge_of_shell, elements_of, named, no_projection,
-    region_of_shell, shell_body,
+    FieldDefect, FieldShell, ON_AXIS, SurfaceGeometry, axis_on_shell, edge_of_shell, elements_of, named,
+    no_projection, region_of_shell, shell_body,
 };
 pub(crate) use functions::TimeMode;
 pub(crate) use indexed::IndexedModel;

@@ -1,5 +1,6 @@
 //! Flat sheets of thin and of shear-deformable shells: laminates, motions, rotation, flight.
 
+mod fields;
 mod flight;
 mod laminates;
 mod model;
@@ -9,5 +10,5 @@ mod rotation;
 use crate::Problem;
 
 /// Problems of sheets of both kinds of shells.
-pub(super) const FAMILIES: [&[Problem]; 4] =
-    [laminates::PROBLEMS, pendulums::PROBLEMS, flight::PROBLEMS, rotation::PROBLEMS];
+pub(super) const FAMILIES: [&[Problem]; 5] =
+    [laminates::PROBLEMS, fields::PROBLEMS, pendulums::PROBLEMS, flight::PROBLEMS, rotation::PROBLEMS];

@@ -212,7 +212,7 @@ impl BeamContacts {
         let ((body, i), element) = (self.points[point as usize], element as usize);
         let own = &self.tubes[body];
         let radii = own.radius + self.tube(element).radius;
-        let ContactPoint { place, extent } = &own.points[i];
+        let ContactPoint { place, extent, .. } = &own.points[i];
         BeamContact::new(place, self.axis(element), self.ends(element), radii, *extent, self.law)
     }
 

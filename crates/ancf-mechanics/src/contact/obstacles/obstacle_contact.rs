@@ -52,7 +52,7 @@ impl ObstacleContact {
         let vectors: Vec<Marker> = points.iter().map(from_centre).collect();
         let coordinates = Marker::union_coordinates(vectors.iter().chain(directions));
         let vectors = vectors.iter().map(|vector| vector.within(&coordinates)).zip(points);
-        let points = vectors.map(|(vector, point)| ContactPoint::new(vector, point.extent)).collect();
+        let points = vectors.map(|(vector, point)| point.at(vector)).collect();
         let directions = directions.each_ref().map(|direction| direction.within(&coordinates));
         Self { shape: *shape, axis: *axis, points, directions, coordinates, radius, law }
     }
@@ -73,9 +73,14 @@ impl ObstacleContact {
         stacked(self.markers(point).map(|marker| marker.reference() + marker.sum(q)))
     }
 
-    fn gap(&self, x: &MarkerValues<f64>) -> f64 {
+    /// Returns the radius of the body at a point.
+    fn radius(&self, point: &ContactPoint) -> f64 {
+        self.radius * point.scale
+    }
+
+    fn gap(&self, point: &ContactPoint, x: &MarkerValues<f64>) -> f64 {
         let [d, axes @ ..] = parts(x);
-        self.shape.gap(&d, &combine(&axes, &self.axis)).0 - self.radius
+        self.shape.gap(&d, &combine(&axes, &self.axis)).0 - self.radius(point)
     }
 
     /// Calls `visit` with each point that touches the obstacle, and the values of its markers.
@@ -85,19 +90,24 @@ impl ObstacleContact {
         let a = combine(&directions, &self.axis);
         for point in &self.points {
             let d = value(&point.place);
-            if self.shape.gap(&d, &a).0 < self.radius {
+            if self.shape.gap(&d, &a).0 < self.radius(point) {
                 let [x, y, z] = directions;
                 visit(point, &stacked([d, x, y, z]));
             }
         }
     }
 
-    /// Computes the generalised forces on d, x, y and z of a point that represents an extent.
-    fn forces<D: Real>(&self, extent: f64, x: &MarkerValues<D>, v: &MarkerValues<D>) -> MarkerValues<D> {
+    /// Computes the generalised forces on d, x, y and z of a point.
+    fn forces<D: Real>(
+        &self,
+        point: &ContactPoint,
+        x: &MarkerValues<D>,
+        v: &MarkerValues<D>,
+    ) -> MarkerValues<D> {
         let ([d, axes @ ..], [rate, spins @ ..]) = (parts(x), parts(v));
         let (gap, n, b) = self.shape.gap(&d, &combine(&axes, &self.axis));
         let closing = n.dot(&rate) + b.dot(&combine(&spins, &self.axis));
-        let normal = self.law.smooth_normal(gap - self.radius, closing) * extent;
+        let normal = self.law.smooth_normal(gap - self.radius(point), closing) * point.extent;
         let reach = components(&axes, &d);
         let relative_velocity: Vector3<D> =
             spins.iter().zip(&reach).map(|(spin, r)| spin.map(|x| x * *r)).fold(rate, |w, part| w - part);
@@ -123,20 +133,31 @@ impl ObstacleContact {
     }
 
     /// Computes the derivative by d of the force on d from a fixed obstacle, along dx = w_q z, dv = w_v z.
-    fn fixed_slope(&self, extent: f64, [x, v]: [&MarkerValues<f64>; 2], w: Weights) -> SMatrix<f64, 3, 3> {
+    fn fixed_slope(
+        &self,
+        point: &ContactPoint,
+        [x, v]: [&MarkerValues<f64>; 2],
+        w: Weights,
+    ) -> SMatrix<f64, 3, 3> {
         let ([d, axes @ ..], [rate, ..]) = (parts(x), parts(v));
         let a = combine(&axes, &self.axis);
         let (gap, n, _) = self.shape.gap(&d, &a);
-        let [by_place, by_rate] = self.law.slopes(gap - self.radius, &n, &self.shape.bend(&d, &a), &rate);
-        (by_place * w.q + by_rate * w.v) * extent
+        let gap = gap - self.radius(point);
+        let [by_place, by_rate] = self.law.slopes(gap, &n, &self.shape.bend(&d, &a), &rate);
+        (by_place * w.q + by_rate * w.v) * point.extent
     }
 
-    /// Computes ∂(forces)/∂z of a point that represents an extent along dx = w_q z, dv = w_v z.
-    fn slope(&self, extent: f64, [x, v]: [&MarkerValues<f64>; 2], w: Weights) -> SMatrix<f64, 12, 12> {
+    /// Computes ∂(forces)/∂z of a point along dx = w_q z, dv = w_v z.
+    fn slope(
+        &self,
+        point: &ContactPoint,
+        [x, v]: [&MarkerValues<f64>; 2],
+        w: Weights,
+    ) -> SMatrix<f64, 12, 12> {
         let moved = |x: &MarkerValues<f64>, z: &MarkerValues<DualSVec64<12>>, w: f64| {
             MarkerValues::from_fn(|i, _| z[i] * w + x[i])
         };
-        let forces = |z| self.forces(extent, &moved(x, &z, w.q), &moved(v, &z, w.v));
+        let forces = |z| self.forces(point, &moved(x, &z, w.q), &moved(v, &z, w.v));
         num_dual::jacobian(forces, &MarkerValues::zeros()).1
     }
 
@@ -148,14 +169,14 @@ impl ObstacleContact {
         at: &Local<'_>,
     ) -> (f64, [f64; 3], f64) {
         let [d, axes @ ..] = parts(x);
-        let gap = self.gap(x);
+        let gap = self.gap(point, x);
         let tilt: f64 =
             self.directions.iter().zip(&axes).map(|(own, axis)| own.size(at.q) / axis.norm()).sum();
         // Radius of the obstacle, and lever of the errors of the normal.
         let (round, distance) = match self.shape {
             ObstacleShape::Plane => (0.0, f64::INFINITY),
             ObstacleShape::Sphere { radius, inside } | ObstacleShape::Cylinder { radius, inside } => {
-                let reach = gap + self.radius;
+                let reach = gap + self.radius(point);
                 (radius, if inside { radius - reach } else { radius + reach })
             }
         };
@@ -168,7 +189,7 @@ impl ObstacleContact {
         let turned = tilt + place / distance;
         let (_, _, b) = self.shape.gap(&d, &combine(&axes, &self.axis));
         let speed = rate.norm() + b.norm() * combine(&spins, &self.axis).norm();
-        let errors = [place + self.radius + round, turned, velocity_error];
+        let errors = [place + self.radius(point) + round, turned, velocity_error];
         (self.law.rounding(gap, speed, errors) * point.extent, reach, b.norm())
     }
 }
@@ -193,7 +214,7 @@ impl Term for ObstacleContact {
 
     fn residual(&self, at: &Local<'_>, r: &mut [f64]) {
         self.visit(at.q, |point, x| {
-            self.add_forces(point, &self.forces(point.extent, x, &self.sums(point, at.v)), r);
+            self.add_forces(point, &self.forces(point, x, &self.sums(point, at.v)), r);
         });
     }
 
@@ -216,9 +237,9 @@ impl Term for ObstacleContact {
         self.visit(at.q, |point, x| {
             let v = self.sums(point, at.v);
             if is_fixed {
-                add_symmetric(&[&point.place], &self.fixed_slope(point.extent, [x, &v], w), -1.0, k);
+                add_symmetric(&[&point.place], &self.fixed_slope(point, [x, &v], w), -1.0, k);
             } else {
-                add_symmetric(&self.markers(point), &self.slope(point.extent, [x, &v], w), -1.0, k);
+                add_symmetric(&self.markers(point), &self.slope(point, [x, &v], w), -1.0, k);
             }
         });
     }
@@ -229,7 +250,7 @@ impl Term for ObstacleContact {
         let (mut moved, n) = ([0.0; LOCAL], step.to.q.len());
         (0..n).for_each(|i| moved[i] = step.to.q[i] - step.from.q[i]);
         for point in &self.points {
-            let gaps = [step.from, step.middle, step.to].map(|at| self.gap(&self.values(point, at.q)));
+            let gaps = [step.from, step.middle, step.to].map(|at| self.gap(point, &self.values(point, at.q)));
             if gaps[0] >= 0.0 && gaps[2] >= 0.0 {
                 continue;
             }
@@ -248,7 +269,7 @@ impl Term for ObstacleContact {
 
     fn energy(&self, at: &Local<'_>) -> Energy {
         let mut strain = 0.0;
-        self.visit(at.q, |point, x| strain += point.extent * self.law.energy(self.gap(x)));
+        self.visit(at.q, |point, x| strain += point.extent * self.law.energy(self.gap(point, x)));
         Energy { strain, ..Energy::default() }
     }
 
@@ -259,7 +280,7 @@ impl Term for ObstacleContact {
     fn damping_forces(&self, at: &Local<'_>, r: &mut [f64]) {
         self.visit(at.q, |point, x| {
             let [moving, still] =
-                [self.sums(point, at.v), MarkerValues::zeros()].map(|v| self.forces(point.extent, x, &v));
+                [self.sums(point, at.v), MarkerValues::zeros()].map(|v| self.forces(point, x, &v));
             self.add_forces(point, &(moving - still), r);
         });
     }

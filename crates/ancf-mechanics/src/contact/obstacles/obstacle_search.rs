@@ -57,7 +57,8 @@ impl ObstacleContacts {
         let pose = self.obstacle.pose(&s.q);
         for (i, group) in self.groups.iter().enumerate() {
             let ContactGeometry { radius, margin, .. } = self.bodies[group.body];
-            let distance = |point: &ContactPoint| (pose.gap(&point.place.value(s)) - radius) / margin;
+            let distance =
+                |point: &ContactPoint| (pose.gap(&point.place.value(s)) - radius * point.scale) / margin;
             visit(i, group, &mut self.points(group).iter().map(distance));
         }
     }
@@ -79,7 +80,7 @@ impl ObstacleContacts {
         lines.map(move |(line, radius)| {
             line.filter_map(move |point| {
                 let [before, after] = [(&poses[0], from), (&poses[1], to)]
-                    .map(|(pose, s)| pose.radial(&point.place.value(s), radius));
+                    .map(|(pose, s)| pose.radial(&point.place.value(s), radius * point.scale));
                 Some((point, [before?, after?]))
             })
         })

@@ -16,7 +16,7 @@ pub struct ContactGeometry {
     pub(in crate::contact) count: usize,
     /// True for the points of a shell: lines of equal numbers of points, element by element.
     is_surface: bool,
-    /// Radius of the tube or the balls, or half the thickness of the shell.
+    /// Radius of the tube or the balls, or half the smallest thickness of the shell.
     pub(in crate::contact) radius: f64,
     /// Search margin.
     pub(in crate::contact) margin: f64,
@@ -37,12 +37,20 @@ pub struct ContactPoint {
     pub(in crate::contact) place: Marker,
     /// Length of beam or area of shell that the point represents.
     pub(in crate::contact) extent: f64,
+    /// Radius of the body at the point, relative to that of the body.
+    pub(in crate::contact) scale: f64,
 }
 
 impl ContactPoint {
     /// Creates a point of a body that represents a length of beam or an area of shell.
     pub const fn new(place: Marker, extent: f64) -> Self {
-        Self { place, extent }
+        Self { place, extent, scale: 1.0 }
+    }
+
+    /// Returns the point with another place.
+    #[must_use]
+    pub(in crate::contact) const fn at(&self, place: Marker) -> Self {
+        Self { place, extent: self.extent, scale: self.scale }
     }
 }
 
@@ -74,23 +82,30 @@ impl ContactGeometry {
     }
 
     /// Creates the surface of a thin shell with a thickness and at least `count` points per element in each direction.
+    ///
+    /// The surfaces of shells in contact with each other have the smallest thickness.
     pub fn shell(mesh: &ShellMesh, thickness: f64, count: usize) -> Self {
-        let points = mesh.surface_points(cells(count)).map(|(place, area)| ContactPoint::new(place, area));
+        let points = mesh.surface_points(cells(count));
         let surfaces =
             mesh.element_surfaces().map(|(surface, free)| SurfaceGeometry { surface, free }).collect();
-        Self { surfaces, ..Self::of_surface(points.collect(), thickness, 2 * cells(count) + 1) }
+        Self { surfaces, ..Self::of_surface(points, thickness, 2 * cells(count) + 1) }
     }
 
     /// Creates the surface of a shear-deformable shell with a thickness and at least `count` points per element in each direction.
     pub fn shear_shell(mesh: &ShearShellMesh, thickness: f64, count: usize) -> Self {
-        let points = mesh.surface_points(cells(count)).map(|(place, area)| ContactPoint::new(place, area));
-        Self::of_surface(points.collect(), thickness, 2 * cells(count) + 1)
+        Self::of_surface(mesh.surface_points(cells(count)), thickness, 2 * cells(count) + 1)
     }
 
-    fn of_surface(points: Vec<ContactPoint>, thickness: f64, count: usize) -> Self {
-        let radius = 0.5 * thickness;
+    /// Creates the surface of points with their areas and their thicknesses relative to a given one.
+    fn of_surface(points: impl Iterator<Item = (Marker, [f64; 2])>, thickness: f64, count: usize) -> Self {
+        let points = points.map(|(place, [extent, scale])| ContactPoint { place, extent, scale });
+        let mut points: Vec<ContactPoint> = points.collect();
+        let scales = || points.iter().map(|point| point.scale);
+        let (least, largest) = (scales().fold(f64::INFINITY, f64::min), scales().fold(0.0, f64::max));
+        let [radius, margin] = [least, largest].map(|scale| 0.5 * thickness * scale);
+        points.iter_mut().for_each(|point| point.scale /= least);
         let (axes, surfaces) = (Vec::new(), Vec::new());
-        Self { axes, surfaces, points, count: count * count, is_surface: true, radius, margin: radius }
+        Self { axes, surfaces, points, count: count * count, is_surface: true, radius, margin }
     }
 
     /// Returns the lines of points between which the body extends: along a beam, or in both directions of each element of a shell.
@@ -105,8 +120,8 @@ impl ContactGeometry {
         })
     }
 
-    /// Returns the radius, or the search margin of points without a radius.
+    /// Returns the smallest radius, or the search margin of points without a radius.
     pub const fn margin(&self) -> f64 {
-        self.margin
+        if self.is_surface { self.radius } else { self.margin }
     }
 }

@@ -35,7 +35,7 @@ impl SurfaceContact {
     ) -> Self {
         let of_points = points.iter().flat_map(|point| point.place.coordinates());
         let coordinates = sorted(of_points.chain(surface.coordinates()));
-        let local = |point: &ContactPoint| ContactPoint::new(point.place.within(&coordinates), point.extent);
+        let local = |point: &ContactPoint| point.at(point.place.within(&coordinates));
         let points = points.iter().map(local).collect();
         let partners = SurfacePartners { surface: surface.within(&coordinates), free, points };
         Self { partners, coordinates, radius, law }
@@ -122,7 +122,7 @@ impl ContactPose<2> for SurfacePose<'_> {
     }
 
     fn with_foot(&self, [_, i]: [usize; 2], visit: &mut dyn FnMut(&PointContact<'_, 2>)) {
-        let ContactPoint { place, extent } = &self.partners.points[i];
+        let ContactPoint { place, extent, .. } = &self.partners.points[i];
         let Some(foot) = Foot::on_surface(&self.point(i), &self.surface, self.partners.free) else { return };
         let [values, x, y] = ElementSurface::weights(foot.at);
         let of_point =

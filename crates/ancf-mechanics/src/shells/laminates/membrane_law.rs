@@ -72,6 +72,14 @@ impl PrincipalState {
 }
 
 impl MembraneEnergy {
+    /// Returns the energy of a multiple of the thickness.
+    fn scaled(self, scale: f64) -> Self {
+        match self {
+            Self::Linear { stiffness, poisson } => Self::Linear { stiffness: scale * stiffness, poisson },
+            Self::NeoHookean { stiffness } => Self::NeoHookean { stiffness: scale * stiffness },
+        }
+    }
+
     /// State of a flat membrane.
     fn flat(&self, [e1, e2]: [f64; 2]) -> PrincipalState {
         match *self {
@@ -130,6 +138,11 @@ impl MembraneEnergy {
 }
 
 impl MembraneLaw {
+    /// Returns the law of a multiple of the thickness.
+    pub(crate) fn scaled(self, scale: f64) -> Self {
+        Self { energy: self.energy.scaled(scale), ..self }
+    }
+
     /// Returns the state of the strains (11, 22, 2·12) in an orthonormal basis.
     pub fn state(&self, strain: &Vector3<f64>) -> MembraneState {
         let (mean, half) = (0.5 * (strain.x + strain.y), 0.5 * (strain.x - strain.y));

@@ -1,12 +1,16 @@
 //! Stiffness of shells per area, of one material or of plies.
 
 mod laminate;
+mod local_section;
 mod membrane_law;
+mod place_formula;
 mod section;
 mod thick_section;
 
 pub use laminate::{Laminate, Ply, PlyElasticity};
+pub use local_section::{LocalSection, SectionField};
 pub use membrane_law::{MembraneEnergy, MembraneLaw, MembraneState};
+pub use place_formula::PlaceFormula;
 pub use section::{ShellSection, SurfaceMaterial};
 pub(crate) use section::{strain_transform, to_orthonormal};
 pub use thick_section::ThickSection;

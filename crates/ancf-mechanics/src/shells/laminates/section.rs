@@ -59,6 +59,21 @@ impl ShellSection {
         Self { law, ..self }
     }
 
+    /// Returns the section whose thickness is a multiple c of this one: c A, c² B, c³ D, with plies of c times the thickness.
+    #[must_use]
+    pub fn scaled(&self, scale: f64) -> Self {
+        let square = scale * scale;
+        let surface = |at: SurfaceMaterial| SurfaceMaterial { height: scale * at.height, ..at };
+        Self {
+            membrane: self.membrane * scale,
+            coupling: self.coupling * square,
+            bending: self.bending * (square * scale),
+            density: self.density * scale,
+            surfaces: self.surfaces.map(surface),
+            law: self.law.map(|law| law.scaled(scale)),
+        }
+    }
+
     /// Returns the matrices A, B and D for the covariant components (ξξ, ηη, 2 ξη) of strains.
     ///
     /// `tangents` are r_ξ and r_η in the reference state. The first direction of the section is that of the projection of `axis`.

@@ -21,3 +21,17 @@ pub struct ThickSection {
     /// Moments ∫ ρ dz, ∫ ρ z dz and ∫ ρ z² dz of the mass about the middle surface.
     pub inertia: [f64; 3],
 }
+
+impl ThickSection {
+    /// Returns the section whose thickness is a multiple of this one, as [`ShellSection::scaled`].
+    #[must_use]
+    pub fn scaled(&self, scale: f64) -> Self {
+        let [mass, moment, rotary] = self.inertia;
+        Self {
+            surface: self.surface.scaled(scale),
+            shear: self.shear * scale,
+            thickness: self.thickness * scale,
+            inertia: [mass * scale, moment * (scale * scale), rotary * (scale * scale * scale)],
+        }
+    }
+}

@@ -1,6 +1,6 @@
 use ancf_solver::equations::{LocalMatrix, LocalStep, Term};
 
-use super::source::{StrainField, SurfaceLaw};
+use super::source::StrainField;
 
 /// Shell element whose stresses are linear in its strains, D ε + τ D ε̇.
 pub(crate) trait StrainedElement: Term + Clone {
@@ -15,9 +15,6 @@ pub(crate) trait StrainedElement: Term + Clone {
 
     /// Returns Σ σ ε.
     fn product(stress: &Self::Strains, strains: &Self::Strains) -> f64;
-
-    /// Returns the law of the section.
-    fn law(&self) -> SurfaceLaw<'_>;
 
     /// Retardation time τ.
     fn retardation(&self) -> f64;

@@ -85,16 +85,16 @@ impl SurfacePrestrains {
     pub(crate) fn at(
         &self,
         element: usize,
-        law: &SurfaceLaw<'_>,
+        law: &SurfaceLaw,
         tangents: [&Vector3<f64>; 2],
         factors: &Factors,
     ) -> Covariant {
         let mut sum = [Vector3::zeros(); 2];
         let covering = self.sources.iter().zip(factors).filter(|(source, _)| source.covers(element));
         let (here, factors): (Vec<&SurfacePrestrain>, Vec<&[f64; 2]>) = covering.unzip();
-        each_part(&here, law, |sources, field| {
+        each_part(&here, |sources, field| {
             let factor: f64 = sources.iter().flatten().map(|k| factors[*k][0]).product();
-            sum.iter_mut().zip(field(tangents)).for_each(|(sum, strain)| *sum += strain * factor);
+            sum.iter_mut().zip(field(law, tangents)).for_each(|(sum, strain)| *sum += strain * factor);
         });
         sum
     }

@@ -27,8 +27,8 @@ pub struct SurfacePrestrain {
 
 /// Stiffness of a shell at a point, with the axes of the section and of stresses.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct SurfaceLaw<'a> {
-    pub(crate) section: &'a ShellSection,
+pub(crate) struct SurfaceLaw {
+    pub(crate) section: ShellSection,
     /// Axis of the section; `None` for r_ξ.
     pub(crate) axis: Option<Vector3<f64>>,
     /// Axis of stresses; `None` for r_ξ.
@@ -38,8 +38,8 @@ pub(crate) struct SurfaceLaw<'a> {
 /// Membrane strains and curvatures in covariant components (ξξ, ηη, 2 ξη).
 pub(crate) type Covariant = [Vector3<f64>; 2];
 
-/// Field of strains: covariant components for the reference tangents r_ξ and r_η at a point.
-pub(crate) type StrainField<'a> = &'a dyn Fn([&Vector3<f64>; 2]) -> Covariant;
+/// Field of strains: covariant components for the law and the reference tangents r_ξ and r_η at a point.
+pub(crate) type StrainField<'a> = &'a dyn Fn(&SurfaceLaw, [&Vector3<f64>; 2]) -> Covariant;
 
 /// Factors of sources with their rates.
 pub(crate) type Factors = SmallVec<[[f64; 2]; 4]>;
@@ -52,14 +52,13 @@ pub(super) fn factors(sources: &[SurfacePrestrain], t: f64, load: f64) -> Factor
 /// Visits the parts of the strains of several sources: the numbers of the sources whose factors multiply the part, and its field.
 pub(super) fn each_part(
     sources: &[&SurfacePrestrain],
-    law: &SurfaceLaw<'_>,
     mut visit: impl FnMut([Option<usize>; 2], StrainField<'_>),
 ) {
     for (k, source) in sources.iter().enumerate() {
-        visit([Some(k), None], &|tangents| source.linear(law, tangents));
+        visit([Some(k), None], &|law, tangents| source.linear(law, tangents));
         for other in 0..=k {
             let second = (other < k).then(|| sources[other]);
-            visit([Some(k), Some(other)], &|tangents| source.quadratic(second, law, tangents));
+            visit([Some(k), Some(other)], &|law, tangents| source.quadratic(second, law, tangents));
         }
     }
 }
@@ -81,12 +80,12 @@ impl SurfacePrestrain {
         [load * function.value, load * function.rate]
     }
 
-    fn to_orthonormal(&self, law: &SurfaceLaw<'_>, [t, s]: [&Vector3<f64>; 2]) -> Matrix3<f64> {
+    fn to_orthonormal(&self, law: &SurfaceLaw, [t, s]: [&Vector3<f64>; 2]) -> Matrix3<f64> {
         to_orthonormal([t, s], &self.axis.or(law.stress_axis).unwrap_or(*t))
     }
 
     /// Returns the strains at a point with reference tangents that are linear in the factor.
-    fn linear(&self, law: &SurfaceLaw<'_>, tangents: [&Vector3<f64>; 2]) -> Covariant {
+    fn linear(&self, law: &SurfaceLaw, tangents: [&Vector3<f64>; 2]) -> Covariant {
         let to_local = self.to_orthonormal(law, tangents);
         // A singular reference surface is reported elsewhere: its strains are NaN.
         let from_local = to_local.try_inverse().unwrap_or_else(|| Matrix3::repeat(f64::NAN));
@@ -99,12 +98,7 @@ impl SurfacePrestrain {
     }
 
     /// Returns Green's strain ½ (ε⁰_a ε⁰_b + ε⁰_b ε⁰_a) of the elongations of two sources, half of it for equal sources.
-    fn quadratic(
-        &self,
-        other: Option<&Self>,
-        law: &SurfaceLaw<'_>,
-        tangents: [&Vector3<f64>; 2],
-    ) -> Covariant {
+    fn quadratic(&self, other: Option<&Self>, law: &SurfaceLaw, tangents: [&Vector3<f64>; 2]) -> Covariant {
         let own = self.to_orthonormal(law, tangents);
         let mut strain = tensor(&self.strain);
         strain = match other {
@@ -126,7 +120,7 @@ impl SurfacePrestrain {
 }
 
 /// Returns the strains whose stress is a membrane force −n without moments, n in contravariant components.
-fn slack(law: &SurfaceLaw<'_>, tangents: [&Vector3<f64>; 2], n: &Vector3<f64>) -> Covariant {
+fn slack(law: &SurfaceLaw, tangents: [&Vector3<f64>; 2], n: &Vector3<f64>) -> Covariant {
     let [a, b, d] = law.section.covariant(tangents, law.axis);
     // Strains and curvatures times the thickness have equal magnitudes.
     let height = law.section.surfaces[0].height - law.section.surfaces[2].height;

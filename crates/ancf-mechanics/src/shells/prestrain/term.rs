@@ -32,9 +32,8 @@ struct Prescribed<S> {
 impl<E: StrainedElement> ShellPrestrain<E> {
     /// Creates the term of an element for the sources that cover it.
     pub(super) fn new(element: E, sources: Vec<SurfacePrestrain>) -> Self {
-        let law = element.law();
         let (mut parts, all) = (Vec::new(), sources.iter().collect::<Vec<_>>());
-        each_part(&all, &law, |sources, field| parts.push(Part { sources, strains: element.sampled(field) }));
+        each_part(&all, |sources, field| parts.push(Part { sources, strains: element.sampled(field) }));
         Self { element, sources: Arc::new(sources), parts }
     }
 

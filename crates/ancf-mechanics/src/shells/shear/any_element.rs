@@ -10,6 +10,7 @@ use super::element::{ShearElement, Shell18, Shell24};
 use super::face::{NODES, Shape};
 use super::forms::Vectors;
 use super::profile::{ShearTables, tangents};
+use crate::shells::laminates::SectionField;
 use crate::shells::prestrain::{ElementPrestrain, SurfacePrestrain};
 
 /// Element of a mesh: a quadrilateral or a triangle.
@@ -81,18 +82,25 @@ fn vectors<const V: usize>(u: &[Vector3<f64>]) -> Vectors<V> {
 
 impl AnyElement {
     /// Creates elements with common strain forms, from their coordinates and nodal vectors r₁, d₁, r₂, d₂, .. in the reference
-    /// state. Positions are relative to any point.
+    /// state. Positions are relative to any point. Sections vary if there is a field of them.
     pub(crate) fn all(
         elements: impl IntoIterator<Item = (Vec<usize>, Vec<Vector3<f64>>)>,
         medium: &ShearMedium,
+        sections: Option<&SectionField>,
     ) -> Vec<Self> {
         let (quads, triangles) =
             (Arc::new(ShearTables::new(Shape::Quad)), Arc::new(ShearTables::new(Shape::Triangle)));
-        let element = |(coordinates, reference): (Vec<usize>, Vec<Vector3<f64>>)| match reference.len() {
-            6 => Self::Triangle(Shell18::new(coordinates, &vectors(&reference), &triangles, medium)),
-            _ => Self::Quad(Shell24::new(coordinates, &vectors(&reference), &quads, medium)),
+        let element = |(k, (coordinates, reference)): (usize, (Vec<usize>, Vec<Vector3<f64>>))| {
+            let shape = if reference.len() == 6 { Shape::Triangle } else { Shape::Quad };
+            let own = (medium, SectionField::of_element(sections, k, || shape.section_places()));
+            match shape {
+                Shape::Triangle => {
+                    Self::Triangle(Shell18::new(coordinates, &vectors(&reference), &triangles, own))
+                }
+                Shape::Quad => Self::Quad(Shell24::new(coordinates, &vectors(&reference), &quads, own)),
+            }
         };
-        elements.into_iter().map(element).collect()
+        elements.into_iter().enumerate().map(element).collect()
     }
 
     /// Returns the element as a term.

@@ -8,7 +8,8 @@ use nalgebra::{SMatrix, SVector, Vector3};
 use super::forms::{SURFACE, Strains, Vectors, Weighting, gradient, interpolate};
 use super::profile::{ShearProfile, ShearTables, tangents, volume};
 use crate::kinematics::relative_rotation;
-use crate::shells::prestrain::{StrainField, StrainedElement, SurfaceLaw};
+use crate::shells::laminates::LocalSection;
+use crate::shells::prestrain::{StrainField, StrainedElement};
 
 /// Volume (a_ξ × a_η)·d at a node, relative to the reference, below which an element counts as inverted.
 const CRUSHED: f64 = 1e-2;
@@ -68,9 +69,9 @@ impl<const V: usize, const S: usize, const C: usize> ShearElement<V, S, C> {
         coordinates: Vec<usize>,
         reference: &Vectors<V>,
         tables: &Arc<ShearTables<V, S>>,
-        medium: &super::ShearMedium,
+        (medium, sections): (&super::ShearMedium, Vec<LocalSection>),
     ) -> Self {
-        let profile = Arc::new(ShearProfile::new(tables, reference, medium));
+        let profile = Arc::new(ShearProfile::new(tables, reference, medium, sections));
         Self { coordinates, tables: Arc::clone(tables), profile }
     }
 
@@ -341,12 +342,6 @@ impl<const V: usize, const S: usize, const C: usize> StrainedElement for ShearEl
         stress.dot(strains)
     }
 
-    fn law(&self) -> SurfaceLaw<'_> {
-        let medium = &self.profile.medium;
-        let axis = Some(medium.axis);
-        SurfaceLaw { section: &medium.section.surface, axis, stress_axis: axis }
-    }
-
     fn retardation(&self) -> f64 {
         self.profile.medium.retardation
     }
@@ -356,7 +351,7 @@ impl<const V: usize, const S: usize, const C: usize> StrainedElement for ShearEl
         let (profile, mut strains) = (&self.profile, Strains::<S>::zeros());
         for (k, (at, _)) in profile.shape.surface_points().iter().enumerate() {
             let ([t, s], _) = tangents(profile.shape, *at, &profile.reference);
-            for (kind, own) in field([&t, &s]).iter().enumerate() {
+            for (kind, own) in field(&profile.law(k, [&t, &s]), [&t, &s]).iter().enumerate() {
                 strains.fixed_rows_mut::<3>(SURFACE * k + 3 * kind).copy_from(own);
             }
         }

@@ -98,13 +98,26 @@ impl Face {
     /// Returns the area, as integrated in an element.
     pub fn area(&self, nodes: &[Vector3<f64>]) -> f64 {
         let x = self.points(nodes);
-        let area = |(at, weight): &WeightedPoint| {
-            let [_, of_x, of_y] = self.shape().values(*at);
-            let [t, s] =
-                [of_x, of_y].map(|weights| x.iter().zip(weights).map(|(x, w)| x * w).sum::<Vector3<f64>>());
-            weight * t.cross(&s).norm()
-        };
-        self.shape().points().iter().map(area).sum()
+        self.shape().points().iter().map(|(at, weight)| weight * self.across(*at, &x).norm()).sum()
+    }
+
+    /// Returns r_ξ × r_η at a place, for given positions of the nodes of the face.
+    fn across(&self, at: [f64; 2], x: &[Vector3<f64>]) -> Vector3<f64> {
+        let [_, of_x, of_y] = self.shape().values(at);
+        let sum = |weights: [f64; NODES]| x.iter().zip(weights).map(|(x, w)| x * w).sum::<Vector3<f64>>();
+        sum(of_x).cross(&sum(of_y))
+    }
+
+    /// Returns the direction of the normal at a place, for given positions of all nodes. Its magnitude is the area per unit of ξ and η.
+    pub fn normal_at(&self, at: [f64; 2], nodes: &[Vector3<f64>]) -> Vector3<f64> {
+        self.across(at, &self.points(nodes))
+    }
+
+    /// Returns the places of an element at which its section is evaluated, with weights of the area, and its corners with the weight 0.
+    pub fn section_places(&self) -> impl Iterator<Item = ([f64; 2], f64)> {
+        let corners = self.shape().corners().iter().map(|at| (*at, 0.0));
+        let surface = self.shape().surface_points().iter().map(|(at, _)| (*at, 0.0));
+        self.shape().points().iter().copied().chain(surface).chain(corners)
     }
 
     /// Returns the point of a grid over the unit square, mapped to the element. A triangle has the upper side of the square
@@ -208,6 +221,11 @@ impl Shape {
             Self::Triangle => &CENTROID,
             Self::Quad => &QUAD_POINTS,
         }
+    }
+
+    /// Returns the places at which sections are evaluated: the points of the surface, then those of area, mass and shear.
+    pub(crate) fn section_places(self) -> impl Iterator<Item = [f64; 2]> {
+        self.surface_points().iter().chain(self.points()).map(|(at, _)| *at)
     }
 
     /// Returns the shape functions and their derivatives at a point.

@@ -14,7 +14,8 @@ use crate::inertia::MassVisitor;
 use crate::kinematics::{
     Attachment, Directions, Marker, NodalVector, SectionFrame, VectorKind, gauss2, round_to_zero,
 };
-use crate::shells::prestrain::{SurfacePrestrain, SurfacePrestrains};
+use crate::shells::laminates::SectionField;
+use crate::shells::prestrain::{SurfaceLaw, SurfacePrestrain, SurfacePrestrains};
 
 /// Place on a mesh: an element and (ξ, η) in it, from 0 to 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -39,6 +40,7 @@ pub struct ShearShellMesh {
     neighbours: Arc<Vec<Vec<usize>>>,
     elements: Arc<Vec<AnyElement>>,
     axis: Vector3<f64>,
+    sections: Option<SectionField>,
     prestrains: SurfacePrestrains,
 }
 
@@ -52,6 +54,17 @@ impl ShearShellMesh {
         faces: Vec<Face>,
         medium: &ShearMedium,
     ) -> Self {
+        Self::varying(first, (nodes, directors), faces, medium, None)
+    }
+
+    /// Creates a mesh as [`new`](Self::new), with sections that vary over the surface.
+    pub fn varying(
+        first: usize,
+        (nodes, directors): (&[Vector3<f64>], &[Vector3<f64>]),
+        faces: Vec<Face>,
+        medium: &ShearMedium,
+        sections: Option<SectionField>,
+    ) -> Self {
         let origin = nodes.first().copied().unwrap_or_default();
         let reference: Vec<_> = nodes.iter().zip(directors).map(|(r, d)| [r - origin, *d]).collect();
         let data = faces.iter().map(|face| {
@@ -62,12 +75,12 @@ impl ShearShellMesh {
             let vectors = nodes.iter().flat_map(|node| [reference[*node][0] - corner, reference[*node][1]]);
             (coordinates, vectors.collect())
         });
-        let elements = Arc::new(AnyElement::all(data, medium));
+        let elements = Arc::new(AnyElement::all(data, medium, sections.as_ref()));
         let topology = MeshTopology::new(nodes.len(), &faces);
         let neighbours = Arc::new(topology.neighbours(nodes.len()));
         let (topology, faces) = (Arc::new(topology), Arc::new(faces));
         let (axis, prestrains) = (medium.axis, SurfacePrestrains::default());
-        Self { first, origin, reference, faces, topology, neighbours, elements, axis, prestrains }
+        Self { first, origin, reference, faces, topology, neighbours, elements, axis, sections, prestrains }
     }
 
     /// Prescribes strains.
@@ -268,26 +281,40 @@ impl ShearShellMesh {
         edges.map(|[a, b]| (self.reference[b][0] - self.reference[a][0]).norm()).fold(0.0, f64::max)
     }
 
-    /// Returns a grid of 2 `cells` + 1 points in each direction of each element, line by line, with their reference areas.
+    /// Returns the law of the section at a place.
+    pub(super) fn law_at(&self, place: SurfacePlace) -> SurfaceLaw {
+        let section = self.sections.as_ref().map(|field| field.at(place.element, place.at));
+        let data = self.elements[place.element].data();
+        let [t, s] = data.tangents(place.at);
+        data.medium().law(section.as_ref(), [&t, &s])
+    }
+
+    /// Returns the thickness at a place, relative to that of the whole shell.
+    fn scale_at(&self, place: SurfacePlace) -> f64 {
+        self.sections.as_ref().map_or(1.0, |field| field.at(place.element, place.at).scale)
+    }
+
+    /// Returns a grid of 2 `cells` + 1 points in each direction of each element, line by line, with their reference areas and relative
+    /// thicknesses.
     ///
     /// A uniform pressure on them is exact.
-    pub fn surface_points(&self, cells: usize) -> impl Iterator<Item = (Marker, f64)> + '_ {
+    pub fn surface_points(&self, cells: usize) -> impl Iterator<Item = (Marker, [f64; 2])> + '_ {
         (0..self.faces.len()).flat_map(move |element| {
             self.faces[element].grid_rule(cells).into_iter().map(move |(at, weight)| {
                 let place = SurfacePlace { element, at };
                 let [t, s] = self.tangents(place).map(|tangent| tangent.reference());
-                (self.point(place), t.cross(&s).norm() * weight)
+                (self.point(place), [t.cross(&s).norm() * weight, self.scale_at(place)])
             })
         })
     }
 
-    /// Returns the points r, tangents r_ξ and r_η and areas at the integration points of an element.
-    pub(crate) fn flow_points(&self, element: usize) -> Vec<([Marker; 3], f64)> {
+    /// Returns the points r, tangents r_ξ and r_η, areas and relative thicknesses at the integration points of an element.
+    pub(crate) fn flow_points(&self, element: usize) -> Vec<([Marker; 3], [f64; 2])> {
         let of = |(at, weight): &([f64; 2], f64)| {
             let place = SurfacePlace { element, at: *at };
             let [a, b] = self.tangents(place);
             let area = a.reference().cross(&b.reference()).norm();
-            ([self.point(place), a, b], weight * area)
+            ([self.point(place), a, b], [weight * area, self.scale_at(place)])
         };
         self.faces[element].shape().points().iter().map(of).collect()
     }

@@ -5,7 +5,8 @@ use super::forms::{
     Form, SURFACE, Strains, Vectors, Weighting, forms, gradient, interpolate, sampled_shear,
     shear_interpolation,
 };
-use crate::shells::laminates::{ThickSection, strain_transform, to_orthonormal};
+use crate::shells::laminates::{LocalSection, ShellSection, ThickSection, strain_transform};
+use crate::shells::prestrain::SurfaceLaw;
 
 /// Number of enhanced membrane strain modes of a quadrilateral. A triangle has none.
 const MODES: usize = 5;
@@ -23,6 +24,26 @@ pub struct ShearMedium {
     pub mass_damping: f64,
     /// Acceleration of gravity.
     pub gravity: Vector3<f64>,
+}
+
+/// Section and axis at a point.
+pub(crate) struct ThickLaw {
+    section: ThickSection,
+    axis: Vector3<f64>,
+}
+
+impl ShearMedium {
+    fn thick_law(&self, local: Option<&LocalSection>, tangents: [&Vector3<f64>; 2]) -> ThickLaw {
+        let local = local.unwrap_or(&LocalSection::WHOLE);
+        let axis = local.axis_at(Some(self.axis), tangents).unwrap_or(self.axis);
+        ThickLaw { section: self.section.scaled(local.scale), axis }
+    }
+
+    /// Returns the law of the surface at a point with a section of its own and reference tangents.
+    pub(crate) fn law(&self, local: Option<&LocalSection>, tangents: [&Vector3<f64>; 2]) -> SurfaceLaw {
+        let ThickLaw { section, axis } = self.thick_law(local, tangents);
+        SurfaceLaw { section: section.surface, axis: Some(axis), stress_axis: Some(self.axis) }
+    }
 }
 
 /// Forms of the strains, common to all elements of a shape.
@@ -54,7 +75,11 @@ pub(crate) struct ShearProfile<const V: usize, const S: usize> {
     pub(crate) mass: [[f64; V]; V],
     pub(crate) first: [f64; V],
     pub(crate) medium: ShearMedium,
+    sections: Sections,
 }
+
+/// Sections at the [`section_places`](Shape::section_places) of an element; none for equal sections.
+type Sections = Vec<LocalSection>;
 
 /// Tangents of the reference surface at a point, and its area per unit of ξ and η.
 pub(crate) fn tangents(shape: Shape, at: [f64; 2], x: &[Vector3<f64>]) -> ([Vector3<f64>; 2], f64) {
@@ -116,15 +141,17 @@ fn shear_transform([t, s]: [&Vector3<f64>; 2], axis: &Vector3<f64>) -> Matrix2<f
 }
 
 /// Stiffness of the strains of the surface at the integration points.
-fn surface_stiffness(shape: Shape, reference: &[Vector3<f64>], medium: &ShearMedium) -> DMatrix<f64> {
+fn surface_stiffness(
+    shape: Shape,
+    reference: &[Vector3<f64>],
+    (medium, sections): (&ShearMedium, &Sections),
+) -> DMatrix<f64> {
     let points = shape.surface_points();
     let mut stiffness = DMatrix::zeros(SURFACE * points.len(), SURFACE * points.len());
-    let section = &medium.section.surface;
     for (k, (at, weight)) in points.iter().enumerate() {
         let ([t, s], area) = tangents(shape, *at, reference);
-        let to_local = to_orthonormal([&t, &s], &medium.axis);
-        let [a, b, d] = [section.membrane, section.coupling, section.bending]
-            .map(|c| to_local.transpose() * c * to_local * (weight * area));
+        let law = medium.law(sections.get(k), [&t, &s]);
+        let [a, b, d] = law.section.covariant([&t, &s], law.axis).map(|c| c * (weight * area));
         let mut put = |row: usize, column: usize, block: &Matrix3<f64>| {
             stiffness.fixed_view_mut::<3, 3>(SURFACE * k + row, SURFACE * k + column).copy_from(block);
         };
@@ -145,8 +172,7 @@ const STABILISATION: f64 = 0.1;
 /// terms of the second power of the size of the elements.
 ///
 /// Source: Lyly, Stenberg & Vihinen (1993); Bischoff & Bletzinger (2001).
-fn stabilisation(reference: &[Vector3<f64>], medium: &ShearMedium) -> f64 {
-    let section = &medium.section.surface;
+fn stabilisation(reference: &[Vector3<f64>], section: &ShellSection) -> f64 {
     let trace = |c: &Matrix3<f64>| c[(0, 0)] + c[(1, 1)] + 2.0 * c[(2, 2)];
     let square = 12.0 * trace(&section.bending) / trace(&section.membrane);
     let edges = [(0, 2), (2, 4), (4, 0)].map(|(a, b)| (reference[a] - reference[b]).norm_squared());
@@ -154,14 +180,20 @@ fn stabilisation(reference: &[Vector3<f64>], medium: &ShearMedium) -> f64 {
 }
 
 /// Stiffness of the sampled transverse shear strains.
-fn shear_stiffness(shape: Shape, reference: &[Vector3<f64>], medium: &ShearMedium) -> DMatrix<f64> {
+fn shear_stiffness(
+    shape: Shape,
+    reference: &[Vector3<f64>],
+    (medium, sections): (&ShearMedium, &Sections),
+) -> DMatrix<f64> {
     let sampled = sampled_shear(shape).len();
     let mut stiffness = DMatrix::zeros(sampled, sampled);
-    let factor = if shape == Shape::Triangle { stabilisation(reference, medium) } else { 1.0 };
-    for (at, weight) in shape.points() {
+    for (k, (at, weight)) in shape.points().iter().enumerate() {
         let ([t, s], area) = tangents(shape, *at, reference);
-        let to_local = shear_transform([&t, &s], &medium.axis);
-        let covariant = to_local.transpose() * medium.section.shear * to_local * (factor * weight * area);
+        let ThickLaw { section, axis } =
+            medium.thick_law(sections.get(shape.surface_points().len() + k), [&t, &s]);
+        let factor = if shape == Shape::Triangle { stabilisation(reference, &section.surface) } else { 1.0 };
+        let to_local = shear_transform([&t, &s], &axis);
+        let covariant = to_local.transpose() * section.shear * to_local * (factor * weight * area);
         let weights = shear_interpolation(shape, *at);
         for i in 0..sampled {
             for j in 0..sampled {
@@ -176,10 +208,16 @@ fn shear_stiffness(shape: Shape, reference: &[Vector3<f64>], medium: &ShearMediu
 }
 
 impl<const V: usize, const S: usize> ShearProfile<V, S> {
-    /// Creates the data of an element with the given nodal vectors in the reference state.
-    pub(crate) fn new(tables: &ShearTables<V, S>, reference: &Vectors<V>, medium: &ShearMedium) -> Self {
+    /// Creates the data of an element with the given nodal vectors in the reference state. `sections` are those at the
+    /// [`section_places`](Shape::section_places), or none.
+    pub(crate) fn new(
+        tables: &ShearTables<V, S>,
+        reference: &Vectors<V>,
+        medium: &ShearMedium,
+        sections: Sections,
+    ) -> Self {
         let shape = tables.shape;
-        let own = surface_stiffness(shape, reference, medium);
+        let own = surface_stiffness(shape, reference, (medium, &sections));
         let modes = modes(shape, reference);
         let (of_modes, loads) = (modes.transpose() * (&own * &modes), modes.transpose() * &own);
         let solved = of_modes.cholesky().map(|factor| factor.solve(&loads));
@@ -191,18 +229,19 @@ impl<const V: usize, const S: usize> ShearProfile<V, S> {
         stiffness
             .view_mut((0, 0), (surface, surface))
             .copy_from(&((&condensed + condensed.transpose()) * 0.5));
-        let sheared = shear_stiffness(shape, reference, medium);
+        let sheared = shear_stiffness(shape, reference, (medium, &sections));
         stiffness.view_mut((surface, surface), sheared.shape()).copy_from(&sheared);
         let thickness = surface + sheared.nrows();
         let (mut mass, mut first) = ([[0.0; V]; V], [0.0; V]);
-        let [of_area, moment, rotary] = medium.section.inertia;
-        for (at, weight) in shape.points() {
+        for (k, (at, weight)) in shape.points().iter().enumerate() {
             let ([weights, ..], (_, area)) = (shape.values(*at), tangents(shape, *at, reference));
-            let size = weight * area;
+            let section = sections.get(shape.surface_points().len() + k);
+            let section = medium.section.scaled(section.map_or(1.0, |section| section.scale));
+            let ([of_area, moment, rotary], size) = (section.inertia, weight * area);
             for a in 0..shape.nodes() {
                 first[2 * a] += size * of_area * weights[a];
                 first[2 * a + 1] += size * moment * weights[a];
-                stiffness[(thickness + a, thickness + a)] += size * medium.section.thickness * weights[a];
+                stiffness[(thickness + a, thickness + a)] += size * section.thickness * weights[a];
                 for b in 0..shape.nodes() {
                     let part = size * weights[a] * weights[b];
                     mass[2 * a][2 * b] += part * of_area;
@@ -214,7 +253,13 @@ impl<const V: usize, const S: usize> ShearProfile<V, S> {
         }
         let gradients = tables.forms.iter().map(|form| gradient(form, reference)).collect();
         let enhancement = -(modes * solved);
-        Self { shape, reference: *reference, gradients, stiffness, enhancement, mass, first, medium: *medium }
+        let (reference, medium) = (*reference, *medium);
+        Self { shape, reference, gradients, stiffness, enhancement, mass, first, medium, sections }
+    }
+
+    /// Returns the law at an integration point of the surface with reference tangents.
+    pub(crate) fn law(&self, point: usize, tangents: [&Vector3<f64>; 2]) -> SurfaceLaw {
+        self.medium.law(self.sections.get(point), tangents)
     }
 
     /// Returns the strains of the surface with the enhanced ones, at the integration points.

@@ -7,8 +7,8 @@ use super::face::{NODES, Shape};
 use super::forms::SURFACE;
 use super::mesh::{ShearShellMesh, SurfacePlace};
 use crate::shells::laminates::to_orthonormal;
-use crate::shells::prestrain::{Factors, SurfaceLaw};
-use crate::shells::surface_stress::SurfaceStress;
+use crate::shells::prestrain::Factors;
+use crate::shells::surface_stress::{SurfaceStress, direction};
 
 /// Membrane strains and curvatures of the surface, in an orthonormal frame.
 type SurfaceStrains = [Vector3<f64>; 2];
@@ -68,7 +68,7 @@ impl ShearShellMesh {
     /// Returns strains, resultants and stresses at a place in a state, without those of the damping.
     ///
     /// Strains are extrapolated from the integration points. At a node they are the means of the elements there, in the
-    /// orthonormal frame whose first direction is the projection of the axis of the section.
+    /// orthonormal frame whose first direction is the projection of the axis of the whole shell.
     pub fn stress(&self, s: &State, place: SurfacePlace) -> SurfaceStress {
         let factors = self.prestrains().factors(s);
         self.mean_stress(place, &factors, |element| strains(self, s, element))
@@ -98,20 +98,31 @@ impl ShearShellMesh {
             }
             None => add(place, 1.0),
         }
-        let section = &self.elements()[place.element].data().medium().section.surface;
-        let [total, prescribed] = sums;
-        SurfaceStress::new(section, [1.0, 0.0], total, prescribed)
+        let (law, [total, prescribed]) = (self.law_at(place), sums);
+        SurfaceStress::new(&law.section, self.direction_of(law.axis, place), total, prescribed)
     }
 
-    /// Returns the prescribed strains at a place, in the orthonormal frame of the section.
+    /// Returns cosine and sine of the angle about the normal from the first direction of stresses to the projection of an axis.
+    fn direction_of(&self, axis: Option<Vector3<f64>>, place: SurfacePlace) -> [f64; 2] {
+        let data = self.elements()[place.element].data();
+        let whole = data.medium().axis;
+        match axis {
+            Some(axis) if axis != whole => {
+                let [t, s] = data.tangents(place.at);
+                direction([&whole, &axis], &t.cross(&s).normalize())
+            }
+            _ => [1.0, 0.0],
+        }
+    }
+
+    /// Returns the prescribed strains at a place, in the orthonormal frame of stresses.
     fn prescribed_strains(&self, place: SurfacePlace, factors: &Factors) -> SurfaceStrains {
         if factors.is_empty() {
             return [Vector3::zeros(); 2];
         }
         let data = self.elements()[place.element].data();
         let ([t, s], axis) = (data.tangents(place.at), data.medium().axis);
-        let section = &data.medium().section.surface;
-        let law = SurfaceLaw { section, axis: Some(axis), stress_axis: Some(axis) };
+        let law = self.law_at(place);
         let covariant = self.prestrains().at(place.element, &law, [&t, &s], factors);
         let to_local = to_orthonormal([&t, &s], &axis);
         covariant.map(|strain| to_local * strain)

@@ -81,7 +81,7 @@ fn rule_of_layer(key: String, name: &str, material: &Material, first: Option<&Ma
 fn rule_of_thicknesses(path: &str, shell: Layup<'_>) -> Option<Finding> {
     let given = shell.layers.iter().filter_map(|layer| layer.thickness);
     let (count, sum) = (given.clone().count(), given.sum::<f64>());
-    if count == 0 {
+    if count == 0 || (shell.varies && count == shell.layers.len()) {
         return None;
     }
     let [found, expected] = if count < shell.layers.len() {
@@ -99,5 +99,6 @@ fn rule_of_thicknesses(path: &str, shell: Layup<'_>) -> Option<Finding> {
 /// Checks that the axis has a projection on the surface everywhere.
 pub(super) fn rule_of_axis(path: &str, shell: &Shell) -> Option<Finding> {
     let surface = format!("{path}.surface");
-    no_projection(format!("{path}.fibre_axis"), shell.fibre_axis?, |axis| shell.normal_along(axis), surface)
+    let axis = shell.fibre_axis.as_ref()?.uniform()?;
+    no_projection(format!("{path}.fibre_axis"), axis, |axis| shell.normal_along(axis), surface)
 }

@@ -2,6 +2,8 @@
 
 use ancf_mechanics::shells::TopologyDefect;
 
+use super::fields;
+
 use crate::errors::{Finding, finding, is_direction, no_direction, number, quoted};
 use crate::model::{IndexedModel, MeshGroup, ShearShell, no_projection};
 
@@ -27,6 +29,7 @@ pub(super) fn rules(model: &IndexedModel<'_>, path: &str, shell: &ShearShell) ->
     findings.extend(rule_of_directors(path, shell));
     if findings.is_empty() {
         findings.extend(rule_of_axis(model, path, shell));
+        findings.extend(fields::of_mesh(path, shell));
         findings.extend(rules_of_materials(model, path, shell));
     }
     findings
@@ -208,7 +211,7 @@ fn rule_of_directors(path: &str, shell: &ShearShell) -> Option<Finding> {
 /// Checks that the axis has a projection on the surface everywhere, and that orthotropic materials have one.
 fn rule_of_axis(model: &IndexedModel<'_>, path: &str, shell: &ShearShell) -> Option<Finding> {
     let key = format!("{path}.fibre_axis");
-    let Some(axis) = shell.fibre_axis else {
+    let Some(axis) = &shell.fibre_axis else {
         let plies = shell.layup().plies();
         let is_fibrous = |name: &str| model.materials.get(name).is_some_and(|m| m.orthotropic.is_some());
         return plies.iter().any(|(name, ..)| is_fibrous(name)).then(|| {
@@ -216,7 +219,7 @@ fn rule_of_axis(model: &IndexedModel<'_>, path: &str, shell: &ShearShell) -> Opt
             Finding { absence: true, ..finding(key, "no axis", expected) }
         });
     };
-    no_projection(key, axis, |axis| shell.normal_along(axis), format!("{path}.mesh.nodes"))
+    no_projection(key, axis.uniform()?, |axis| shell.normal_along(axis), format!("{path}.mesh.nodes"))
 }
 
 /// Checks that orthotropic materials have a transverse shear modulus.

@@ -1,5 +1,6 @@
 //! Checks of shells.
 
+mod fields;
 mod laminates;
 mod meshes;
 mod rules;

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use super::{laminates, meshes};
+use super::{fields, laminates, meshes};
 use crate::errors::{Finding, finding, number, quoted};
 use crate::joints::{ClampedGradients, End, Joint};
 use crate::loads::Load;
@@ -23,7 +23,9 @@ pub(crate) fn shells(model: &IndexedModel<'_>) -> Vec<Finding> {
     let mut findings = Vec::new();
     for (path, shell) in shells_of(model) {
         findings.extend(rule_of_material(model, &path, shell.layup()));
-        findings.extend(rule_of_surface(&path, shell));
+        let surface = rule_of_surface(&path, shell);
+        findings.extend(fields::of_patch(&path, shell, surface.is_none()));
+        findings.extend(surface);
         findings.extend(laminates::rule_of_axis(&path, shell));
         findings.extend(laminates::layers(model, &path, shell.layup()));
         findings.extend(rule_of_membrane(model, &path, shell));
@@ -41,6 +43,7 @@ pub(crate) fn shells(model: &IndexedModel<'_>) -> Vec<Finding> {
     findings.extend(loads_of(model).filter_map(|(path, load)| rule_of_load(model, &path, load)));
     findings.extend(rules_of_probes(model));
     findings.extend(rules_of_contacts(model));
+    findings.extend(fields::rules_of_contacts(model));
     findings.extend(rule_of_errors(model));
     findings
 }

@@ -119,10 +119,11 @@ mod tests {
             name: "s".into(),
             mesh,
             crease: 0.7,
-            thickness: 0.01,
+            thickness: 0.01.into(),
             material: "m".into(),
             layers: Vec::new(),
             fibre_axis: None,
+            fibre_angle: None,
             motion: InitialMotion::default(),
         }
     }

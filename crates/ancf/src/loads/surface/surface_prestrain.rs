@@ -108,7 +108,9 @@ impl SurfacePrestrain {
             let transverse = material.orthotropic.map_or(material.young, |orthotropic| orthotropic.young);
             Some(material.young.min(transverse) * thickness)
         };
-        let rigidity: f64 = layup.plies().into_iter().map(rigidity).sum::<Option<f64>>()?;
+        // Of the thinnest place of a thickness that varies.
+        let part = body.field_shell()?.thickness_range().least / layup.thickness;
+        let rigidity = part * layup.plies().into_iter().map(rigidity).sum::<Option<f64>>()?;
         let largest = self.tension.iter().fold(0.0, |largest: f64, n| largest.max(n.abs()));
         (largest > LARGEST * rigidity).then(|| {
             let found = format!("{} times E h", number(largest / rigidity));

@@ -8,7 +8,7 @@ use super::formulation::Formulation;
 use super::parts::{At, InitialMotion, NamedPosition};
 use super::rigid::{PointMass, Rigid};
 use super::shape::Shape;
-use super::shells::{Layup, ShearShell, Shell};
+use super::shells::{FieldShell, Layup, ShearShell, Shell};
 use super::surface::BodySurface;
 use crate::units::Scaled;
 
@@ -188,6 +188,28 @@ impl Body {
             Self::ShearShell(shell) => Some(shell.layup()),
             _ => None,
         }
+    }
+
+    /// Shell whose section may vary; `None` for other bodies.
+    pub(crate) fn field_shell(&self) -> Option<&dyn FieldShell> {
+        match self {
+            Self::Shell(shell) => Some(shell),
+            Self::ShearShell(shell) => Some(shell),
+            _ => None,
+        }
+    }
+
+    /// Thickness of a shell at some places; `None` for other bodies, and for invalid formulas.
+    pub fn thickness_at(&self, places: impl IntoIterator<Item = ShellPlace>) -> Option<Vec<f64>> {
+        let shell = self.field_shell()?;
+        let (fields, points) = (shell.fields().ok()?, shell.field_points());
+        let at = |place: ShellPlace| match (place, self) {
+            (ShellPlace::Patch(at), Self::Shell(shell)) => shell.element_at(at),
+            (ShellPlace::Patch(at), _) => (0, at),
+            (ShellPlace::Element(place), _) => (place.element, place.at),
+        };
+        let thickness = |(element, at)| fields.at(&points(element, at)).thickness;
+        Some(places.into_iter().map(at).map(thickness).collect())
     }
 
     /// Area of the middle surface of a shell; 0 for other bodies.

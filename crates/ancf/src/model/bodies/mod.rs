@@ -22,9 +22,9 @@ pub use shape::Shape;
 pub(crate) use shell_body::{
     axis_on_shell, edge_of_shell, elements_of, named, no_projection, region_of_shell, shell_body,
 };
-pub(crate) use shells::SurfaceGeometry;
 pub use shells::{
-    ElementMesh, ElementNodes, Layer, Layup, Membrane, MembraneKind, MeshGroup, ShearShell, Shell,
-    ShellSurface,
+    AngleField, AxisField, ElementMesh, ElementNodes, FibreAngle, FibreAxis, Layer, Layup, Membrane,
+    MembraneKind, MeshGroup, ShearShell, Shell, ShellSurface, ShellThickness, ThicknessField,
 };
+pub(crate) use shells::{FieldDefect, FieldShell, SurfaceGeometry};
 pub use surface::BodySurface;

@@ -39,7 +39,7 @@ pub(super) fn medium(coupled: bool, damping: [f64; 2]) -> ShellMedium {
 }
 
 pub(super) fn element(coupled: bool, damping: [f64; 2]) -> Shell48 {
-    Shell48::all([((0..48).collect(), reference())], &medium(coupled, damping)).swap_remove(0)
+    Shell48::all([((0..48).collect(), reference())], &medium(coupled, damping), None).swap_remove(0)
 }
 
 /// Values of r = (u + 0.2 u v, 1.3 v, 0.3 u²) and of r_u, r_v, r_uv.
@@ -84,7 +84,7 @@ fn membranes() -> impl Iterator<Item = TermCase> {
     cases.into_iter().map(|(name, law, damping)| {
         let medium = medium(false, damping);
         let medium = ShellMedium { section: medium.section.with_law(Some(law)), ..medium };
-        let term = Shell48::all([((0..48).collect(), reference())], &medium).swap_remove(0);
+        let term = Shell48::all([((0..48).collect(), reference())], &medium, None).swap_remove(0);
         let kind = if damping[0] == 0.0 { TermKind::Smooth } else { TermKind::Retarded };
         TermCase { name: name.into(), term: Box::new(term), kind }
     })

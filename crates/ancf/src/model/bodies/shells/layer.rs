@@ -10,7 +10,8 @@ pub struct Layer {
     /// Angle of the fibres about the normal, in radians, from the direction of u or the projection of `fibre_axis`.
     #[unit(radian)]
     pub angle: f64,
-    /// Thickness, length. By default all layers are equally thick. Given thicknesses sum up to the thickness of the shell.
+    /// Thickness, length. By default all layers are equally thick. Given thicknesses sum up to the thickness of the shell; where that varies,
+    /// they are proportions of it.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[unit(length)]
     #[schemars(extend("exclusiveMinimum" = 0))]

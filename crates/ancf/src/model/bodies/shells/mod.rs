@@ -2,11 +2,11 @@
 
 mod element_mesh;
 mod element_nodes;
+mod fields;
 mod layer;
 mod layup;
 mod membrane;
 mod mesh_group;
-mod normal;
 mod shear_shell;
 mod shell;
 mod spline_surface;
@@ -15,6 +15,8 @@ mod sweep;
 
 pub use element_mesh::ElementMesh;
 pub use element_nodes::ElementNodes;
+pub use fields::{AngleField, AxisField, FibreAngle, FibreAxis, ShellThickness, ThicknessField};
+pub(crate) use fields::{FieldDefect, FieldShell};
 pub use layer::Layer;
 pub use layup::Layup;
 pub use membrane::{Membrane, MembraneKind};

@@ -7,9 +7,11 @@ use serde::{Deserialize, Serialize};
 
 use super::element_mesh::ElementMesh;
 use super::element_nodes::ElementNodes;
+use super::fields::{
+    FibreAngle, FibreAxis, FieldPlace, FieldPoint, FieldShell, GivenFields, ShellThickness, is_parallel,
+};
 use super::layer::Layer;
 use super::layup::Layup;
-use super::normal::is_parallel;
 use crate::errors::number;
 use crate::model::bodies::parts::{At, EdgeName, EdgePlace, InitialMotion, NodePlace, PointPlace};
 use crate::units::Scaled;
@@ -39,19 +41,20 @@ pub struct ShearShell {
     #[serde(default = "crease", skip_serializing_if = "is_crease")]
     #[schemars(extend("exclusiveMinimum" = 0, "exclusiveMaximum" = 1.5))]
     pub crease: f64,
-    /// Thickness, length.
-    #[unit(length)]
-    #[schemars(extend("exclusiveMinimum" = 0))]
-    pub thickness: f64,
+    /// Thickness, length: a number or a field.
+    pub thickness: ShellThickness,
     /// Name of the material, a key of `materials`.
     pub material: String,
     /// Layers from the lower to the upper side in the direction of the normal; by default a single one.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub layers: Vec<Layer>,
     /// Axis whose projection on the surface is the first direction of stresses and the fibre angle zero; required with orthotropic materials.
+    /// A field is that of the fibre angle zero only.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[unit(none)]
-    pub fibre_axis: Option<[f64; 3]>,
+    pub fibre_axis: Option<FibreAxis>,
+    /// Angle about the normal by which all fibres are turned, in radians: a number or a field; 0 by default.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub fibre_angle: Option<FibreAngle>,
     /// Initial velocities in dynamics; at rest by default.
     #[serde(default, skip_serializing_if = "InitialMotion::is_rest")]
     pub motion: InitialMotion,
@@ -68,7 +71,8 @@ fn is_crease(angle: &f64) -> bool {
 impl ShearShell {
     /// Thickness, material and layers.
     pub fn layup(&self) -> Layup<'_> {
-        Layup { thickness: self.thickness, material: &self.material, layers: &self.layers }
+        let (thickness, varies) = (self.thickness_range().mean, self.thickness.uniform().is_none());
+        Layup { thickness, varies, material: &self.material, layers: &self.layers }
     }
 
     /// Nodes.
@@ -104,14 +108,15 @@ impl ShearShell {
         Some(format!("the normal of the surface near {}", self.describe_node(node)))
     }
 
-    /// Axis whose projection on the surface is the first direction of the section.
+    /// Axis whose projection on the surface is the first direction of stresses, and of a section that does not vary.
     pub(crate) fn axis(&self, directors: &[Vector3<f64>]) -> Vector3<f64> {
         let automatic = || {
             let points = self.points();
             let normals = self.faces().into_iter().map(|face| face.normal(&points));
             stress_axis(&directors.iter().copied().chain(normals).collect::<Vec<_>>())
         };
-        self.fibre_axis.map_or_else(automatic, |axis| Vector3::from(axis).normalize())
+        let given = self.fibre_axis.as_ref().and_then(FibreAxis::uniform);
+        given.map_or_else(automatic, |axis| Vector3::from(axis).normalize())
     }
 
     /// Topology of a mesh whose elements have existing nodes.
@@ -256,5 +261,43 @@ impl ShearShell {
     pub fn area(&self) -> f64 {
         let points = self.points();
         self.mesh.elements.iter().map(|element| element.face().area(&points)).sum()
+    }
+}
+
+impl FieldShell for ShearShell {
+    fn given(&self) -> GivenFields<'_> {
+        GivenFields {
+            thickness: &self.thickness,
+            angle: self.fibre_angle.as_ref(),
+            axis: self.fibre_axis.as_ref(),
+            is_patch: false,
+        }
+    }
+
+    fn field_points(&self) -> Box<dyn Fn(usize, [f64; 2]) -> FieldPoint + Send + Sync> {
+        let (points, faces) = (self.points(), self.faces());
+        Box::new(move |element, at| {
+            let face = &faces[element];
+            let weights = face.weights(at);
+            let node = |k: usize| face.nodes().get(k).map_or((0, 0.0), |node| (*node, weights[k]));
+            let nodes = [0, 1, 2, 3].map(node);
+            let position = nodes.iter().map(|(node, weight)| points[*node] * *weight).sum();
+            let normal = face.normal_at(at, &points);
+            FieldPoint { position, parameters: None, normal, nodes }
+        })
+    }
+
+    fn describe_point(&self, element: usize, point: &FieldPoint) -> String {
+        let [x, y, z] = <[f64; 3]>::from(point.position).map(number);
+        format!("({x}, {y}, {z}), element {element}")
+    }
+
+    fn field_places(&self) -> Box<dyn Iterator<Item = FieldPlace> + '_> {
+        let faces = if self.has_nodes() { &self.mesh.elements[..] } else { &[] };
+        let of = |(k, element): (usize, &ElementNodes)| {
+            let places: Vec<_> = element.face().section_places().collect();
+            places.into_iter().map(move |(at, weight)| (k, at, weight))
+        };
+        Box::new(faces.iter().enumerate().flat_map(of))
     }
 }

@@ -1,11 +1,14 @@
+use ancf_mechanics::shells::ShellProfile;
 use nalgebra::Vector3;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::fields::{
+    FibreAngle, FibreAxis, FieldPlace, FieldPoint, FieldShell, GivenFields, ShellThickness, is_parallel,
+};
 use super::layer::Layer;
 use super::layup::Layup;
 use super::membrane::Membrane;
-use super::normal::is_parallel;
 use super::surface::{ShellSurface, SurfaceGeometry};
 use crate::errors::number;
 use crate::model::bodies::parts::{EdgeName, InitialMotion};
@@ -28,19 +31,19 @@ pub struct Shell {
     #[schemars(inner(range(min = 1)))]
     #[unit(none)]
     pub elements: [u32; 2],
-    /// Thickness, length.
-    #[unit(length)]
-    #[schemars(extend("exclusiveMinimum" = 0))]
-    pub thickness: f64,
+    /// Thickness, length: a number or a field.
+    pub thickness: ShellThickness,
     /// Name of the material, a key of `materials`.
     pub material: String,
     /// Layers from the lower to the upper side in the direction of the normal; by default a single one.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub layers: Vec<Layer>,
-    /// Axis whose projection on the surface has the fibre angle zero; by default the direction of u.
+    /// Axis whose projection on the surface has the fibre angle zero, a vector or a field; by default the direction of u.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[unit(none)]
-    pub fibre_axis: Option<[f64; 3]>,
+    pub fibre_axis: Option<FibreAxis>,
+    /// Angle about the normal by which all fibres are turned, in radians: a number or a field; 0 by default.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub fibre_angle: Option<FibreAngle>,
     /// Law of the membrane forces; the linear one by default.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub membrane: Option<Membrane>,
@@ -52,12 +55,24 @@ pub struct Shell {
 impl Shell {
     /// Thickness, material and layers.
     pub fn layup(&self) -> Layup<'_> {
-        Layup { thickness: self.thickness, material: &self.material, layers: &self.layers }
+        let (thickness, varies) = (self.thickness_range().mean, self.thickness.uniform().is_none());
+        Layup { thickness, varies, material: &self.material, layers: &self.layers }
     }
 
     /// Layers with their thicknesses, from the lower to the upper side.
     pub(crate) fn layers(&self) -> Vec<(&str, f64, f64)> {
         self.layup().plies()
+    }
+
+    /// Element of a point (u, v), and (ξ, η) in it.
+    pub(crate) fn element_at(&self, at: [f64; 2]) -> (usize, [f64; 2]) {
+        let of = |k: usize| {
+            let (count, x) = (self.elements[k] as usize, at[k] * f64::from(self.elements[k]));
+            let element = (x.max(0.0) as usize).min(count - 1);
+            (element, x - element as f64)
+        };
+        let ((i, x), (j, y)) = (of(0), of(1));
+        (j * self.elements[0] as usize + i, [x, y])
     }
 
     /// Surface in the reference state.
@@ -137,5 +152,58 @@ impl Shell {
             })
             .sum();
         sum / (3 * PARTS).pow(2) as f64
+    }
+}
+
+/// Largest number of cells in a direction on which the range of the thickness is evaluated.
+const CELLS: usize = 16;
+
+impl FieldShell for Shell {
+    fn given(&self) -> GivenFields<'_> {
+        GivenFields {
+            thickness: &self.thickness,
+            angle: self.fibre_angle.as_ref(),
+            axis: self.fibre_axis.as_ref(),
+            is_patch: true,
+        }
+    }
+
+    fn field_points(&self) -> Box<dyn Fn(usize, [f64; 2]) -> FieldPoint + Send + Sync> {
+        let (geometry, [n, m]) = (self.geometry().into_owned(), self.elements.map(|count| count as usize));
+        Box::new(move |element, [x, y]| {
+            let parameters = [((element % n) as f64 + x) / n as f64, ((element / n) as f64 + y) / m as f64];
+            let [r, a, b, _] = geometry.map(parameters);
+            let position = geometry.origin() + r;
+            FieldPoint { position, parameters: Some(parameters), normal: a.cross(&b), nodes: [(0, 0.0); 4] }
+        })
+    }
+
+    fn field_places(&self) -> Box<dyn Iterator<Item = FieldPlace> + '_> {
+        let places = ShellProfile::section_places();
+        let elements = 0..self.elements.iter().map(|count| *count as usize).product();
+        Box::new(
+            elements.flat_map(move |k| places.clone().into_iter().map(move |(at, weight)| (k, at, weight))),
+        )
+    }
+
+    fn describe_point(&self, element: usize, point: &FieldPoint) -> String {
+        let [u, v] = point.parameters.unwrap_or_default().map(number);
+        let n = self.elements[0] as usize;
+        format!("[u, v] = [{u}, {v}], element {}, {}", element % n + 1, element / n + 1)
+    }
+
+    fn range_places(&self) -> Box<dyn Iterator<Item = FieldPlace> + '_> {
+        let cells = self.elements.map(|count| (count as usize).min(CELLS));
+        let all = (0..cells[1]).flat_map(move |j| (0..cells[0]).map(move |i| [i, j]));
+        let places = ShellProfile::section_places();
+        let of_cell = move |cell: [usize; 2]| {
+            let place = move |(at, weight): ([f64; 2], f64)| {
+                let of = |k: usize| (cell[k] as f64 + at[k]) / cells[k] as f64;
+                let (element, local) = self.element_at([of(0), of(1)]);
+                (element, local, weight)
+            };
+            places.clone().into_iter().map(place)
+        };
+        Box::new(all.flat_map(of_cell))
     }
 }

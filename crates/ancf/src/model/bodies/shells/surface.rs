@@ -1,3 +1,5 @@
+use std::borrow::Cow;
+
 use nalgebra::{Rotation3, Unit, Vector3};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -115,7 +117,7 @@ impl ShellSurface {
             Self::Swept { profile, path } => sweep(profile, path),
             _ => None,
         };
-        SurfaceGeometry { surface: self, spline }
+        SurfaceGeometry { surface: Cow::Borrowed(self), spline }
     }
 
     /// Point to which positions are relative.
@@ -135,12 +137,17 @@ impl ShellSurface {
 /// Middle surface in the reference state.
 #[derive(Clone, Debug)]
 pub(crate) struct SurfaceGeometry<'a> {
-    surface: &'a ShellSurface,
+    surface: Cow<'a, ShellSurface>,
     /// Spline relative to the origin; `None` for other surfaces and for points without a spline.
     spline: Option<SplineSurface>,
 }
 
 impl SurfaceGeometry<'_> {
+    /// Surface without references to the model.
+    pub(crate) fn into_owned(self) -> SurfaceGeometry<'static> {
+        SurfaceGeometry { surface: Cow::Owned(self.surface.into_owned()), spline: self.spline }
+    }
+
     /// Point to which positions are relative.
     pub(crate) fn origin(&self) -> Vector3<f64> {
         self.surface.origin()
@@ -155,7 +162,7 @@ impl SurfaceGeometry<'_> {
     ///
     /// They are not finite if an axis has no direction, or if points of curves coincide.
     pub(crate) fn map(&self, [u, v]: [f64; 2]) -> [Vector3<f64>; 4] {
-        match self.surface {
+        match &*self.surface {
             ShellSurface::Flat { side_u, side_v, .. } => {
                 let [a, b] = [side_u, side_v].map(|side| Vector3::from(*side));
                 [a * u + b * v, a, b, Vector3::zeros()]

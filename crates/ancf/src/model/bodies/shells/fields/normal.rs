@@ -4,6 +4,6 @@ use nalgebra::Vector3;
 const NORMAL: f64 = 1e-3;
 
 /// True if an axis has no projection on a surface with a normal.
-pub(super) fn is_parallel(normal: &Vector3<f64>, axis: &[f64; 3]) -> bool {
+pub(crate) fn is_parallel(normal: &Vector3<f64>, axis: &[f64; 3]) -> bool {
     normal.normalize().cross(&Vector3::from(*axis).normalize()).norm() < NORMAL
 }

@@ -1,5 +1,6 @@
 use nalgebra::Matrix2;
 
+use super::membrane_law::MembraneLaw;
 use super::section::ShellSection;
 
 /// Shear correction factor κ of transverse shear forces.
@@ -20,4 +21,12 @@ pub struct ThickSection {
     pub thickness: f64,
     /// Moments ∫ ρ dz, ∫ ρ z dz and ∫ ρ z² dz of the mass about the middle surface.
     pub inertia: [f64; 3],
+}
+
+impl ThickSection {
+    /// Returns the section with another law of the membrane forces.
+    #[must_use]
+    pub fn with_law(self, law: Option<MembraneLaw>) -> Self {
+        Self { surface: self.surface.with_law(law), ..self }
+    }
 }

@@ -5,9 +5,9 @@ use super::forms::{
     Form, SURFACE, Strains, Vectors, Weighting, forms, gradient, interpolate, sampled_shear,
     shear_interpolation,
 };
-use crate::shells::laminates::{ThickSection, strain_transform, to_orthonormal};
+use crate::shells::laminates::{MembranePoints, ThickSection, strain_transform, to_orthonormal};
 
-/// Number of enhanced membrane strain modes of a quadrilateral. A triangle has none.
+/// Number of enhanced membrane strain modes of a quadrilateral. A triangle and an element with a law of the membrane have none.
 const MODES: usize = 5;
 
 /// Material, inertia and loads of a shear-deformable shell that are common to its elements.
@@ -54,6 +54,8 @@ pub(crate) struct ShearProfile<const V: usize, const S: usize> {
     pub(crate) mass: [[f64; V]; V],
     pub(crate) first: [f64; V],
     pub(crate) medium: ShearMedium,
+    /// Law of the membrane forces if it is not linear.
+    pub(super) membrane: Option<MembranePoints>,
 }
 
 /// Tangents of the reference surface at a point, and its area per unit of ξ and η.
@@ -75,9 +77,9 @@ pub(crate) fn volume(shape: Shape, corner: usize, x: &[Vector3<f64>]) -> f64 {
 /// middle of the element, times the ratio of the areas there and at the point. Their means over the area vanish.
 ///
 /// Source: Simo & Rifai (1990); Andelfinger & Ramm (1993), five parameters.
-fn modes(shape: Shape, reference: &[Vector3<f64>]) -> DMatrix<f64> {
+fn modes(shape: Shape, reference: &[Vector3<f64>], medium: &ShearMedium) -> DMatrix<f64> {
     let points = shape.surface_points();
-    if shape == Shape::Triangle {
+    if shape == Shape::Triangle || medium.section.surface.law.is_some() {
         return DMatrix::zeros(SURFACE * points.len(), 0);
     }
     let mut modes = DMatrix::zeros(SURFACE * points.len(), MODES);
@@ -115,16 +117,26 @@ fn shear_transform([t, s]: [&Vector3<f64>; 2], axis: &Vector3<f64>) -> Matrix2<f
     Matrix2::new(e1.dot(&dual[0]), e1.dot(&dual[1]), e2.dot(&dual[0]), e2.dot(&dual[1]))
 }
 
+/// Matrices from covariant strains to the basis of the section at the integration points of the surface, and their areas.
+fn local_strains<'a>(
+    shape: Shape,
+    reference: &'a [Vector3<f64>],
+    medium: &'a ShearMedium,
+) -> impl Iterator<Item = (Matrix3<f64>, f64)> + 'a {
+    shape.surface_points().iter().map(move |(at, weight)| {
+        let ([t, s], area) = tangents(shape, *at, reference);
+        (to_orthonormal([&t, &s], &medium.axis), weight * area)
+    })
+}
+
 /// Stiffness of the strains of the surface at the integration points.
 fn surface_stiffness(shape: Shape, reference: &[Vector3<f64>], medium: &ShearMedium) -> DMatrix<f64> {
-    let points = shape.surface_points();
-    let mut stiffness = DMatrix::zeros(SURFACE * points.len(), SURFACE * points.len());
+    let strains = SURFACE * shape.surface_points().len();
+    let mut stiffness = DMatrix::zeros(strains, strains);
     let section = &medium.section.surface;
-    for (k, (at, weight)) in points.iter().enumerate() {
-        let ([t, s], area) = tangents(shape, *at, reference);
-        let to_local = to_orthonormal([&t, &s], &medium.axis);
+    for (k, (to_local, area)) in local_strains(shape, reference, medium).enumerate() {
         let [a, b, d] = [section.membrane, section.coupling, section.bending]
-            .map(|c| to_local.transpose() * c * to_local * (weight * area));
+            .map(|c| to_local.transpose() * c * to_local * area);
         let mut put = |row: usize, column: usize, block: &Matrix3<f64>| {
             stiffness.fixed_view_mut::<3, 3>(SURFACE * k + row, SURFACE * k + column).copy_from(block);
         };
@@ -180,7 +192,7 @@ impl<const V: usize, const S: usize> ShearProfile<V, S> {
     pub(crate) fn new(tables: &ShearTables<V, S>, reference: &Vectors<V>, medium: &ShearMedium) -> Self {
         let shape = tables.shape;
         let own = surface_stiffness(shape, reference, medium);
-        let modes = modes(shape, reference);
+        let modes = modes(shape, reference, medium);
         let (of_modes, loads) = (modes.transpose() * (&own * &modes), modes.transpose() * &own);
         let solved = of_modes.cholesky().map(|factor| factor.solve(&loads));
         // A singular element has no stiffness that could be used: its entries are NaN.
@@ -214,7 +226,18 @@ impl<const V: usize, const S: usize> ShearProfile<V, S> {
         }
         let gradients = tables.forms.iter().map(|form| gradient(form, reference)).collect();
         let enhancement = -(modes * solved);
-        Self { shape, reference: *reference, gradients, stiffness, enhancement, mass, first, medium: *medium }
+        let membrane = MembranePoints::new(&medium.section.surface, local_strains(shape, reference, medium));
+        Self {
+            shape,
+            reference: *reference,
+            gradients,
+            stiffness,
+            enhancement,
+            mass,
+            first,
+            medium: *medium,
+            membrane,
+        }
     }
 
     /// Returns the strains of the surface with the enhanced ones, at the integration points.
@@ -238,9 +261,12 @@ impl<const V: usize, const S: usize> ShearProfile<V, S> {
                 errors[k] += sum * self.gradient_size(k, a, form, q) * (q[a] + time * v[a]);
             }
         }
+        // The damping of a law of the membrane has the linear stiffness.
+        let of_damping = if self.membrane.is_some() && time != 0.0 { 1.0 } else { 0.0 };
+        let stiffness = self.state_stiffness(strains, [1.0, of_damping]);
         let mut of_stress = [0.0; S];
         for (k, error) in of_stress.iter_mut().enumerate() {
-            let row = self.stiffness.row(k);
+            let row = stiffness.row(k);
             *error =
                 row.iter().enumerate().map(|(l, c)| c.abs() * (errors[l] + sum * strains[l].abs())).sum();
         }

@@ -123,6 +123,7 @@ mod tests {
             material: "m".into(),
             layers: Vec::new(),
             fibre_axis: None,
+            membrane: None,
             motion: InitialMotion::default(),
         }
     }

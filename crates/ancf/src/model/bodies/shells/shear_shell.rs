@@ -9,6 +9,7 @@ use super::element_mesh::ElementMesh;
 use super::element_nodes::ElementNodes;
 use super::layer::Layer;
 use super::layup::Layup;
+use super::membrane::Membrane;
 use super::normal::is_parallel;
 use crate::errors::number;
 use crate::model::bodies::parts::{At, EdgeName, EdgePlace, InitialMotion, NodePlace, PointPlace};
@@ -52,6 +53,9 @@ pub struct ShearShell {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[unit(none)]
     pub fibre_axis: Option<[f64; 3]>,
+    /// Law of the membrane forces; the linear one by default.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub membrane: Option<Membrane>,
     /// Initial velocities in dynamics; at rest by default.
     #[serde(default, skip_serializing_if = "InitialMotion::is_rest")]
     pub motion: InitialMotion,

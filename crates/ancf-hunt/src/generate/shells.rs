@@ -28,6 +28,7 @@ pub(super) fn add(draft: &mut Draft) {
     pressure(draft, &spots[0].body);
     prestrain(draft, &spots[0].body, thickness);
     gas(draft, &spots[0].body, inside);
+    membrane(draft, &spots[0].body);
     draft.spots.extend(spots);
     std::mem::swap(&mut draft.random, &mut own);
 }
@@ -130,6 +131,22 @@ fn prestrain(draft: &mut Draft, body: &str, thickness: f64) {
     }
     draft.loads.push(load);
     std::mem::swap(&mut draft.random, &mut own);
+}
+
+/// Adds a law of the membrane forces to some shells without prescribed strains. It has random numbers of its own.
+fn membrane(draft: &mut Draft, body: &str) {
+    let mut own = Random::new(draft.random.clone().bits() ^ STREAM.rotate_left(13));
+    let is_strained =
+        draft.loads.iter().any(|load| load["kind"] == "surface_prestrain" && load["body"] == body);
+    if is_strained || !own.chance(0.3) {
+        return;
+    }
+    let law = own.choose(&["linear", "neo_hookean"]);
+    let has_field = law == "linear" || own.chance(0.5);
+    let slack = own.choose(&[1e-4, 1e-2, 0.5]);
+    if let Some(shell) = draft.bodies.iter_mut().find(|other| other["name"] == body) {
+        shell["membrane"] = json!({ "law": law, "tension_field": has_field, "slack": slack });
+    }
 }
 
 /// Adds a gas between the shell and a point in some cases. It has random numbers of its own.

@@ -152,7 +152,7 @@ impl Shell48 {
         scaled.add(w.q, stress);
         let shares = [w.q, w.v * profile.medium.retardation];
         let nonlinear = self.nonlinear.as_ref().filter(|_| material != 0.0);
-        let membrane = nonlinear.map(|membrane| membrane.stiffness(self.data(), &state.strains, shares));
+        let membrane = nonlinear.map(|membrane| membrane.stiffness(&self.tables, &state.strains, shares));
         let mut matrix = self.stiffness(state, (material, membrane.as_ref()), &scaled);
         let inertia = w.a + profile.medium.mass_damping * w.v;
         if inertia != 0.0 {
@@ -267,7 +267,7 @@ impl Term for Shell48 {
         let mut stress = self.profile.stress(&self.tables, &strains);
         if let Some(membrane) = &self.nonlinear {
             stress.membrane =
-                membrane.stiffness(self.data(), &before.strains, [1.0, 0.0]).stress(&linear.membrane);
+                membrane.stiffness(&self.tables, &before.strains, [1.0, 0.0]).stress(&linear.membrane);
             let [then, now] = [&before, &state].map(|state| membrane.stress(self.data(), &state.strains));
             let changes = then.membrane.iter().zip(&now.membrane).map(|(then, now)| then - now);
             stress.membrane.iter_mut().zip(changes).for_each(|(sum, change)| *sum += change);
@@ -280,7 +280,7 @@ impl Term for Shell48 {
         let strains = state.rates(&self.tables, &vectors(by.q));
         let mut stress = self.profile.stress(&self.tables, &strains);
         if let Some(membrane) = &self.nonlinear {
-            let of_state = membrane.stiffness(self.data(), &state.strains, [1.0, 0.0]);
+            let of_state = membrane.stiffness(&self.tables, &state.strains, [1.0, 0.0]);
             stress.membrane = of_state.stress(&strains.membrane);
         }
         self.stiffness(&state, (0.0, None), &stress).add_to(k);

@@ -304,7 +304,7 @@ impl ShellProfile {
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct MembraneStiffness {
     /// Rows of the upper triangle.
-    factor: Box<[f64]>,
+    factor: [f64; start(MEMBRANE)],
 }
 
 /// Index of the first entry of a row of the upper triangle.
@@ -317,8 +317,11 @@ impl MembraneStiffness {
     pub(crate) fn new(stiffness: &SMatrix<f64, MEMBRANE, MEMBRANE>) -> Self {
         let factor = Cholesky::new(*stiffness).map(|factor| factor.unpack());
         let entry = |t: usize, s: usize| factor.as_ref().map_or(f64::NAN, |factor| factor[(s, t)]);
-        let entries = (0..MEMBRANE).flat_map(|t| (t..MEMBRANE).map(move |s| (t, s)));
-        Self { factor: entries.map(|(t, s)| entry(t, s)).collect() }
+        let mut rows = [0.0; start(MEMBRANE)];
+        for t in 0..MEMBRANE {
+            (t..MEMBRANE).for_each(|s| rows[start(t) + s - t] = entry(t, s));
+        }
+        Self { factor: rows }
     }
 
     /// Returns the diagonal and the following entries of a row of R.

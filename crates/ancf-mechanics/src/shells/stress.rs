@@ -11,7 +11,7 @@ use super::mesh::ShellMesh;
 use super::prestrain::{Factors, SurfaceLaw};
 use super::profile::{MEMBRANE, each_sample, lagrange, sum};
 use super::surface_state::VOIGT;
-use super::surface_stress::{SurfaceStress, direction};
+use super::surface_stress::{SurfaceStress, direction, membrane_strain};
 
 /// Component and shape derivatives by ξ and η of each membrane strain of an element.
 static SAMPLES: LazyLock<Vec<(usize, [Shape; 2])>> = LazyLock::new(|| {
@@ -36,11 +36,8 @@ impl ElementStrains {
         let vectors = mesh.reference_and_displacements(s, element);
         let mut membrane = [0.0; MEMBRANE];
         for (strain, (component, shapes)) in membrane.iter_mut().zip(&*SAMPLES) {
-            let [a, u] = vectors.each_ref().map(|x| shapes.each_ref().map(|shape| sum(shape, x)));
-            *strain = match component {
-                &k @ (0 | 1) => (a[k] + u[k] * 0.5).dot(&u[k]),
-                _ => a[0].dot(&u[1]) + u[0].dot(&a[1]) + u[0].dot(&u[1]),
-            };
+            let tangents = vectors.each_ref().map(|x| shapes.each_ref().map(|shape| sum(shape, x)));
+            *strain = membrane_strain(tangents)[*component];
         }
         Self { vectors, membrane }
     }

@@ -5,6 +5,16 @@ use super::laminates::{ShellSection, strain_transform};
 /// Names of the surfaces at which stresses are computed: at +h/2 along the normal, in the middle, and at −h/2.
 pub const LAYERS: [&str; 3] = ["top", "middle", "bottom"];
 
+/// Returns Green's strain (ξξ, ηη, 2 ξη) of tangents a of the reference surface with the derivatives u of displacements:
+/// ε_αβ = ½ (a_α·u_β + u_α·a_β + u_α·u_β).
+pub(crate) fn membrane_strain([a, u]: [[Vector3<f64>; 2]; 2]) -> Vector3<f64> {
+    Vector3::new(
+        (a[0] + u[0] * 0.5).dot(&u[0]),
+        (a[1] + u[1] * 0.5).dot(&u[1]),
+        a[0].dot(&u[1]) + u[0].dot(&a[1]) + u[0].dot(&u[1]),
+    )
+}
+
 /// Strains, resultants and stresses of a shell at a point.
 ///
 /// Components are (11, 22, 12) in the orthonormal frame of the reference surface: e₁ along r_,u, e₂ = n × e₁, also if the fibres of

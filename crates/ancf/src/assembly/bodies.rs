@@ -3,13 +3,13 @@
 use ancf_mechanics::bodies::{BeamMesh, BodyTerms, MeshParameters};
 use ancf_mechanics::elements::{BeamMaterial, RigidBody};
 use ancf_mechanics::kinematics::{Attachment, BodyVector, Marker};
-use ancf_mechanics::shells::{ShearMedium, ShearShellMesh, ShellMedium, ShellMesh};
+use ancf_mechanics::shells::{MembraneLaw, ShearMedium, ShearShellMesh, ShellMedium, ShellMesh};
 use nalgebra::Vector3;
 
 use crate::loads::{Load, rigidity};
 use crate::model::{
-    Beam, Body, FibreAxis, FieldShell as _, IndexedModel, MaterialLaw, Place, Probe, ShearShell, Shell,
-    TimeMode,
+    Beam, Body, FibreAxis, FieldShell as _, IndexedModel, Layup, MaterialLaw, Membrane, Place, Probe, ShearShell,
+    Shell, TimeMode,
 };
 
 impl IndexedModel<'_> {
@@ -71,11 +71,16 @@ impl IndexedModel<'_> {
         }
     }
 
+    /// Law of the membrane forces of a shell; `None` for the linear one.
+    fn law(&self, membrane: Option<&Membrane>, layup: Layup<'_>) -> Option<MembraneLaw> {
+        let (membrane, material) = (membrane?, &self.materials[layup.material]);
+        membrane.law(material.young, material.poisson, layup.thickness)
+    }
+
     fn shell(&self, shell: &Shell, first: usize) -> ShellMesh {
         let material = &self.materials[shell.layers()[0].0];
-        let law = shell.membrane.as_ref();
         let layup = shell.layup();
-        let law = law.and_then(|law| law.law(material.young, material.poisson, layup.thickness));
+        let law = self.law(shell.membrane.as_ref(), layup);
         let medium = ShellMedium {
             section: self.laminate(layup).section().with_law(law),
             axis: shell.fibre_axis.as_ref().and_then(FibreAxis::uniform).map(Vector3::from),
@@ -94,7 +99,7 @@ impl IndexedModel<'_> {
         let material = &self.materials[layup.plies()[0].0];
         let directors = shell.unit_directors();
         let medium = ShearMedium {
-            section: self.laminate(layup).thick_section(),
+            section: self.laminate(layup).thick_section().with_law(self.law(shell.membrane.as_ref(), layup)),
             axis: shell.axis(&directors),
             retardation: material.damping.strain,
             mass_damping: material.damping.mass,

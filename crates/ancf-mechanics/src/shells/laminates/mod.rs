@@ -3,6 +3,7 @@
 mod laminate;
 mod local_section;
 mod membrane_law;
+mod membrane_points;
 mod place_formula;
 mod section;
 mod thick_section;
@@ -10,6 +11,7 @@ mod thick_section;
 pub use laminate::{Laminate, Ply, PlyElasticity};
 pub use local_section::{LocalSection, SectionField};
 pub use membrane_law::{MembraneEnergy, MembraneLaw, MembraneState};
+pub(crate) use membrane_points::MembranePoints;
 pub use place_formula::PlaceFormula;
 pub use section::{ShellSection, SurfaceMaterial};
 pub(crate) use section::{strain_transform, to_orthonormal};

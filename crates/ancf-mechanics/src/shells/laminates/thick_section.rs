@@ -1,5 +1,6 @@
 use nalgebra::Matrix2;
 
+use super::membrane_law::MembraneLaw;
 use super::section::ShellSection;
 
 /// Shear correction factor κ of transverse shear forces.
@@ -33,5 +34,11 @@ impl ThickSection {
             thickness: self.thickness * scale,
             inertia: [mass * scale, moment * (scale * scale), rotary * (scale * scale * scale)],
         }
+    }
+
+    /// Returns the section with another law of the membrane forces.
+    #[must_use]
+    pub fn with_law(self, law: Option<MembraneLaw>) -> Self {
+        Self { surface: self.surface.with_law(law), ..self }
     }
 }

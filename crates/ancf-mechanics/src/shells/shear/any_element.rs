@@ -12,6 +12,7 @@ use super::forms::Vectors;
 use super::profile::{ShearTables, tangents};
 use crate::shells::laminates::SectionField;
 use crate::shells::prestrain::{ElementPrestrain, SurfacePrestrain};
+use crate::shells::surface_stress::membrane_strain;
 
 /// Element of a mesh: a quadrilateral or a triangle.
 #[derive(Clone, Debug)]
@@ -37,6 +38,8 @@ pub(crate) trait ElementData {
     /// Returns the strains of the surface with the enhanced ones, at its integration points, for displacements of the nodal
     /// vectors.
     fn surface_strains(&self, u: &[Vector3<f64>]) -> DVector<f64>;
+    /// Returns the membrane strain (ξξ, ηη, 2 ξη) at a point without enhanced strains, for displacements of the nodal vectors.
+    fn membrane_strain(&self, at: [f64; 2], u: &[Vector3<f64>]) -> Vector3<f64>;
 }
 
 impl<const V: usize, const S: usize, const C: usize> ElementData for ShearElement<V, S, C> {
@@ -72,6 +75,10 @@ impl<const V: usize, const S: usize, const C: usize> ElementData for ShearElemen
 
     fn surface_strains(&self, u: &[Vector3<f64>]) -> DVector<f64> {
         self.profile.enhanced(&self.strains(&vectors(u)))
+    }
+
+    fn membrane_strain(&self, at: [f64; 2], u: &[Vector3<f64>]) -> Vector3<f64> {
+        membrane_strain([self.tangents(at), tangents(self.profile.shape, at, u).0])
     }
 }
 

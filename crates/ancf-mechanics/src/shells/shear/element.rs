@@ -22,7 +22,8 @@ const CRUSHED: f64 = 1e-2;
 /// membrane strains and curvatures at the integration points, transverse shear strains at the middles of the edges (ANS), and
 /// thickness strains at the nodes (ANS). Five enhanced membrane strains (EAS) of a quadrilateral are eliminated: the energy is
 /// quadratic in them, so that they follow from the strains by a constant matrix. The energy ½ eᵀ K e has a constant K and
-/// strains e quadratic in the coordinates.
+/// strains e quadratic in the coordinates. With a [law](crate::shells::MembraneLaw) of the membrane there are no enhanced strains,
+/// and the energy of the membrane strains is that of the law at the integration points.
 ///
 /// Membrane strains and curvatures have the stiffness of plane stress, which prevents Poisson locking. The thickness strain
 /// has a stiffness of its own.
@@ -77,8 +78,7 @@ impl<const V: usize, const S: usize, const C: usize> ShearElement<V, S, C> {
 
     /// Returns the strain energy for displacements of the nodal vectors.
     pub(super) fn strain_energy(&self, u: &Vectors<V>) -> f64 {
-        let strains = self.strains(u);
-        0.5 * strains.dot(&self.stress(&strains))
+        self.profile.strain_energy(&self.strains(u))
     }
 
     /// Computes the strains for displacements of the nodal vectors.
@@ -88,10 +88,6 @@ impl<const V: usize, const S: usize, const C: usize> ShearElement<V, S, C> {
             let moved = gradient(&self.tables.forms[k], u);
             (0..V).map(|a| u[a].dot(&(profile.gradients[k][a] + moved[a] * 0.5))).sum()
         })
-    }
-
-    fn stress(&self, strains: &Strains<S>) -> Strains<S> {
-        *self.profile.stiffness * strains
     }
 
     fn state(&self, q: &[f64]) -> ShearState<S, C> {
@@ -108,14 +104,18 @@ impl<const V: usize, const S: usize, const C: usize> ShearElement<V, S, C> {
         ShearState { strains, gradients }
     }
 
+    /// Computes the stresses of the damping.
+    fn damping_stress(&self, state: &ShearState<S, C>, at: &Local<'_>) -> Strains<S> {
+        let time = self.profile.medium.retardation;
+        if time == 0.0 {
+            return Strains::zeros();
+        }
+        self.profile.linear_stress(&(rates(state, at.v) * time))
+    }
+
     /// Computes the stresses of a state, with those of the damping.
     fn damped_stress(&self, state: &ShearState<S, C>, at: &Local<'_>) -> Strains<S> {
-        let time = self.profile.medium.retardation;
-        let mut strains = state.strains;
-        if time != 0.0 {
-            strains += rates(state, at.v) * time;
-        }
-        self.stress(&strains)
+        self.profile.stress(&state.strains) + self.damping_stress(state, at)
     }
 
     /// Returns the nodal vectors in a state.
@@ -147,11 +147,11 @@ impl<const V: usize, const S: usize, const C: usize> ShearElement<V, S, C> {
         }
     }
 
-    /// Adds `material` times the material stiffness and the stiffness of stresses.
+    /// Adds multiples of the material stiffness of the state and of the linear one, and the stiffness of stresses.
     fn add_stiffness(
         &self,
         state: &ShearState<S, C>,
-        material: f64,
+        material: [f64; 2],
         stress: &Strains<S>,
         k: &mut LocalMatrix<'_>,
     ) {
@@ -164,12 +164,12 @@ impl<const V: usize, const S: usize, const C: usize> ShearElement<V, S, C> {
             }
         }
         self.add_blocks(&geometric, k);
-        if material != 0.0 {
-            let product = *self.profile.stiffness * state.gradients;
+        if material != [0.0; 2] {
+            let product = self.profile.state_stiffness(&state.strains, material) * state.gradients;
             let matrix = state.gradients.transpose() * product;
             for j in 0..C {
                 let column = k.column_mut(j);
-                (j..C).for_each(|i| column[i - j] += material * matrix[(i, j)]);
+                (j..C).for_each(|i| column[i - j] += matrix[(i, j)]);
             }
         }
     }
@@ -193,7 +193,7 @@ impl<const V: usize, const S: usize, const C: usize> ShearElement<V, S, C> {
         k: &mut LocalMatrix<'_>,
     ) {
         let medium = &self.profile.medium;
-        self.add_stiffness(state, w.q + w.v * medium.retardation, &(stress * w.q), k);
+        self.add_stiffness(state, [w.q, w.v * medium.retardation], &(stress * w.q), k);
         let inertia = w.a + medium.mass_damping * w.v;
         if inertia != 0.0 {
             self.add_blocks(&self.profile.mass.map(|row| row.map(|m| inertia * m)), k);
@@ -201,18 +201,14 @@ impl<const V: usize, const S: usize, const C: usize> ShearElement<V, S, C> {
     }
 
     /// Computes the stresses of a step. All strains are quadratic in q: B(q_m) Δq are their exact changes, so that mean stresses do
-    /// the work of the strain energy.
+    /// the work of the strain energy. A law of the membrane has a discrete derivative of its energy.
     ///
-    /// Source: Simo & Tarnow (1992).
+    /// Source: Simo & Tarnow (1992); Gonzalez (2000), laws of the membrane.
     fn step_stress(&self, middle: &ShearState<S, C>, step: &LocalStep<'_>) -> Strains<S> {
         let [before, after] = [&step.from, &step.to].map(|at| self.strains(&vectors(at.q)));
         let [of_before, of_after] = step.shares();
-        let time = self.profile.medium.retardation;
-        let mut strains = before * of_before + after * of_after;
-        if time != 0.0 {
-            strains += rates(middle, step.middle.v) * time;
-        }
-        self.stress(&strains)
+        let strains = before * of_before + after * of_after;
+        self.profile.step_stress(&strains, [&before, &after]) + self.damping_stress(middle, &step.middle)
     }
 }
 
@@ -268,14 +264,15 @@ impl<const V: usize, const S: usize, const C: usize> Term for ShearElement<V, S,
     fn stress_prediction(&self, at: &Local<'_>, from: &Local<'_>, k: &mut LocalMatrix<'_>) {
         let (state, before) = (self.state(at.q), self.state(from.q));
         let change: Vec<f64> = at.q.iter().zip(from.q).map(|(now, then)| now - then).collect();
-        let strains = before.strains + rates(&before, &change) - state.strains;
-        self.add_stiffness(&state, 0.0, &self.stress(&strains), k);
+        let stress =
+            self.profile.predicted_stress((&before.strains, &rates(&before, &change)), &state.strains);
+        self.add_stiffness(&state, [0.0; 2], &stress, k);
     }
 
     fn stress_stiffness(&self, at: &Local<'_>, by: &Local<'_>, k: &mut LocalMatrix<'_>) {
         let state = self.state(at.q);
-        let stress = self.stress(&rates(&state, by.q));
-        self.add_stiffness(&state, 0.0, &stress, k);
+        let stress = self.profile.stress_change(&state.strains, &rates(&state, by.q));
+        self.add_stiffness(&state, [0.0; 2], &stress, k);
     }
 
     fn inadmissibility(&self, at: &Local<'_>) -> Option<Inadmissibility> {
@@ -359,7 +356,7 @@ impl<const V: usize, const S: usize, const C: usize> StrainedElement for ShearEl
     }
 
     fn stress_of(&self, strains: &Strains<S>) -> Strains<S> {
-        self.stress(strains)
+        self.profile.linear_stress(strains)
     }
 
     fn strains_of(&self, q: &[f64]) -> Strains<S> {
@@ -383,6 +380,6 @@ impl<const V: usize, const S: usize, const C: usize> StrainedElement for ShearEl
     }
 
     fn add_stiffness_of(&self, q: &[f64], stress: &Strains<S>, k: &mut LocalMatrix<'_>) {
-        self.add_stiffness(&self.state(q), 0.0, stress, k);
+        self.add_stiffness(&self.state(q), [0.0; 2], stress, k);
     }
 }

@@ -5,6 +5,7 @@ mod directors;
 mod element;
 mod face;
 mod forms;
+mod membrane;
 mod mesh;
 mod profile;
 mod shell_place;

@@ -5,10 +5,10 @@ use super::forms::{
     Form, SURFACE, Strains, Vectors, Weighting, forms, gradient, interpolate, sampled_shear,
     shear_interpolation,
 };
-use crate::shells::laminates::{LocalSection, ShellSection, ThickSection, strain_transform};
+use crate::shells::laminates::{LocalSection, MembranePoints, ThickSection, strain_transform, to_orthonormal};
 use crate::shells::prestrain::SurfaceLaw;
 
-/// Number of enhanced membrane strain modes of a quadrilateral. A triangle has none.
+/// Number of enhanced membrane strain modes of a quadrilateral. A triangle and an element with a law of the membrane have none.
 const MODES: usize = 5;
 
 /// Material, inertia and loads of a shear-deformable shell that are common to its elements.
@@ -76,6 +76,8 @@ pub(crate) struct ShearProfile<const V: usize, const S: usize> {
     pub(crate) first: [f64; V],
     pub(crate) medium: ShearMedium,
     sections: Sections,
+    /// Law of the membrane forces if it is not linear.
+    pub(super) membrane: Option<MembranePoints>,
 }
 
 /// Sections at the [`section_places`](Shape::section_places) of an element; none for equal sections.
@@ -100,9 +102,9 @@ pub(crate) fn volume(shape: Shape, corner: usize, x: &[Vector3<f64>]) -> f64 {
 /// middle of the element, times the ratio of the areas there and at the point. Their means over the area vanish.
 ///
 /// Source: Simo & Rifai (1990); Andelfinger & Ramm (1993), five parameters.
-fn modes(shape: Shape, reference: &[Vector3<f64>]) -> DMatrix<f64> {
+fn modes(shape: Shape, reference: &[Vector3<f64>], medium: &ShearMedium) -> DMatrix<f64> {
     let points = shape.surface_points();
-    if shape == Shape::Triangle {
+    if shape == Shape::Triangle || medium.section.surface.law.is_some() {
         return DMatrix::zeros(SURFACE * points.len(), 0);
     }
     let mut modes = DMatrix::zeros(SURFACE * points.len(), MODES);
@@ -138,6 +140,20 @@ fn shear_transform([t, s]: [&Vector3<f64>; 2], axis: &Vector3<f64>) -> Matrix2<f
     let e2 = unit.cross(&e1);
     let dual = [s.cross(&unit) / area, unit.cross(t) / area];
     Matrix2::new(e1.dot(&dual[0]), e1.dot(&dual[1]), e2.dot(&dual[0]), e2.dot(&dual[1]))
+}
+
+/// Matrices from covariant strains to the basis of the section at the integration points of the surface, and their areas times the
+/// relative thickness.
+fn membrane_points(
+    shape: Shape,
+    reference: &[Vector3<f64>],
+    (medium, sections): (&ShearMedium, &Sections),
+) -> impl Iterator<Item = (Matrix3<f64>, f64)> {
+    shape.surface_points().iter().enumerate().map(move |(k, (at, weight))| {
+        let ([t, s], area) = tangents(shape, *at, reference);
+        let scale = sections.get(k).map_or(1.0, |section| section.scale);
+        (to_orthonormal([&t, &s], &medium.axis), weight * area * scale)
+    })
 }
 
 /// Stiffness of the strains of the surface at the integration points.
@@ -218,7 +234,7 @@ impl<const V: usize, const S: usize> ShearProfile<V, S> {
     ) -> Self {
         let shape = tables.shape;
         let own = surface_stiffness(shape, reference, (medium, &sections));
-        let modes = modes(shape, reference);
+        let modes = modes(shape, reference, medium);
         let (of_modes, loads) = (modes.transpose() * (&own * &modes), modes.transpose() * &own);
         let solved = of_modes.cholesky().map(|factor| factor.solve(&loads));
         // A singular element has no stiffness that could be used: its entries are NaN.
@@ -253,8 +269,10 @@ impl<const V: usize, const S: usize> ShearProfile<V, S> {
         }
         let gradients = tables.forms.iter().map(|form| gradient(form, reference)).collect();
         let enhancement = -(modes * solved);
+        let points = membrane_points(shape, reference, (medium, &sections));
+        let membrane = MembranePoints::new(&medium.section.surface, points);
         let (reference, medium) = (*reference, *medium);
-        Self { shape, reference, gradients, stiffness, enhancement, mass, first, medium, sections }
+        Self { shape, reference, gradients, stiffness, enhancement, mass, first, medium, sections, membrane }
     }
 
     /// Returns the law at an integration point of the surface with reference tangents.
@@ -283,9 +301,12 @@ impl<const V: usize, const S: usize> ShearProfile<V, S> {
                 errors[k] += sum * self.gradient_size(k, a, form, q) * (q[a] + time * v[a]);
             }
         }
+        // The damping of a law of the membrane has the linear stiffness.
+        let of_damping = if self.membrane.is_some() && time != 0.0 { 1.0 } else { 0.0 };
+        let stiffness = self.state_stiffness(strains, [1.0, of_damping]);
         let mut of_stress = [0.0; S];
         for (k, error) in of_stress.iter_mut().enumerate() {
-            let row = self.stiffness.row(k);
+            let row = stiffness.row(k);
             *error =
                 row.iter().enumerate().map(|(l, c)| c.abs() * (errors[l] + sum * strains[l].abs())).sum();
         }

@@ -25,14 +25,22 @@ pub struct ShearStressField<'a> {
 }
 
 /// Computes the strains at the integration points, and extrapolates them to the nodes.
+///
+/// Membrane strains of an element with a law of the membrane are those at the nodes: extrapolated ones could be below -½, which no
+/// deformation has.
 fn strains(mesh: &ShearShellMesh, s: &State, element: usize) -> NodalStrains {
     let (shape, data) = (mesh.faces()[element].shape(), mesh.elements()[element].data());
-    let strains = data.surface_strains(&mesh.displacements(s, element));
+    let moved = mesh.displacements(s, element);
+    let strains = data.surface_strains(&moved);
+    let to_local = |at: [f64; 2]| {
+        let [t, s] = data.tangents(at);
+        to_orthonormal([&t, &s], &data.medium().axis)
+    };
     let at_point = |k: usize| {
-        let [t, s] = data.tangents(shape.surface_points()[k].0);
-        let to_local = to_orthonormal([&t, &s], &data.medium().axis);
+        let to_local = to_local(shape.surface_points()[k].0);
         [0, 3].map(|kind| to_local * strains.fixed_rows::<3>(SURFACE * k + kind))
     };
+    let has_law = data.medium().section.surface.law.is_some();
     match shape {
         Shape::Triangle => [at_point(0); NODES],
         Shape::Quad => {
@@ -40,8 +48,11 @@ fn strains(mesh: &ShearShellMesh, s: &State, element: usize) -> NodalStrains {
             // Integration points are numbered along ξ first, nodes around the element.
             let values = [0, 1, 3, 2].map(at_point);
             std::array::from_fn(|a| {
-                let local = shape.corners()[a].map(|x| (x - low) / (high - low));
-                weighted(&shape.values(local)[0], &values)
+                let corner = shape.corners()[a];
+                let [membrane, bending] =
+                    weighted(&shape.values(corner.map(|x| (x - low) / (high - low)))[0], &values);
+                let at_corner = || to_local(corner) * data.membrane_strain(corner, &moved);
+                [if has_law { at_corner() } else { membrane }, bending]
             })
         }
     }

@@ -7,8 +7,8 @@ use crate::errors::{Finding, finding, number, quoted};
 use crate::joints::{ClampedGradients, End, Joint};
 use crate::loads::Load;
 use crate::model::{
-    Analysis, At, Body, IndexedModel, Layup, Modes, Place, Shell, ShellSurface, SurfaceGeometry, joints_of,
-    loads_of, shear_shells_of, shells_of,
+    Analysis, At, Body, IndexedModel, Layup, Membrane, Modes, Place, Shell, ShellSurface, SurfaceGeometry,
+    joints_of, loads_of, shear_shells_of, shells_of,
 };
 
 /// Largest angle of an element of a surface of revolution. Beyond it, the interpolated surface differs from it by more than 0.1 %.
@@ -28,10 +28,19 @@ pub(crate) fn shells(model: &IndexedModel<'_>) -> Vec<Finding> {
         findings.extend(surface);
         findings.extend(laminates::rule_of_axis(&path, shell));
         findings.extend(laminates::layers(model, &path, shell.layup()));
-        findings.extend(rule_of_membrane(model, &path, shell));
+        findings.extend(rule_of_membrane(
+            model,
+            &path,
+            (&shell.name, shell.membrane.as_ref(), shell.layup()),
+        ));
     }
     for (path, shell) in shear_shells_of(model) {
         findings.extend(rule_of_material(model, &path, shell.layup()));
+        findings.extend(rule_of_membrane(
+            model,
+            &path,
+            (&shell.name, shell.membrane.as_ref(), shell.layup()),
+        ));
         findings.extend(laminates::layers(model, &path, shell.layup()));
         findings.extend(meshes::rules(model, &path, shell));
     }
@@ -49,11 +58,15 @@ pub(crate) fn shells(model: &IndexedModel<'_>) -> Vec<Finding> {
 }
 
 /// Checks that a shell with a law of the membrane has one isotropic material and no prescribed strains.
-fn rule_of_membrane(model: &IndexedModel<'_>, path: &str, shell: &Shell) -> Option<Finding> {
-    shell.membrane.as_ref()?;
+fn rule_of_membrane(
+    model: &IndexedModel<'_>,
+    path: &str,
+    (name, membrane, layup): (&str, Option<&Membrane>, Layup<'_>),
+) -> Option<Finding> {
+    membrane?;
     let key = format!("{path}.membrane");
     let is_orthotropic =
-        model.materials.get(&shell.material).is_some_and(|material| material.orthotropic.is_some());
+        model.materials.get(layup.material).is_some_and(|material| material.orthotropic.is_some());
     let error = |found: &str, owner: String| {
         Some(
             finding(
@@ -64,14 +77,14 @@ fn rule_of_membrane(model: &IndexedModel<'_>, path: &str, shell: &Shell) -> Opti
             .rests_on([owner]),
         )
     };
-    if !shell.layers.is_empty() {
+    if !layup.layers.is_empty() {
         return error("a law of the membrane of a laminate", format!("{path}.layers"));
     }
     if is_orthotropic {
         return error("a law of the membrane of an orthotropic material", "materials".into());
     }
-    let strained = loads_of(model)
-        .find(|(_, load)| matches!(load, Load::SurfacePrestrain(load) if load.body == shell.name));
+    let strained =
+        loads_of(model).find(|(_, load)| matches!(load, Load::SurfacePrestrain(load) if load.body == name));
     strained.and_then(|(owner, _)| error("a law of the membrane of a shell with prescribed strains", owner))
 }
 

@@ -66,11 +66,8 @@ fn concentrated(model: &Model) -> Option<(f64, String)> {
 
 /// Order of values with a tension field, whose strains have kinks at the edges of wrinkled regions, and the reason.
 fn wrinkled(model: &Model) -> Option<(f64, String)> {
-    let has_wrinkles = |body: &Body| match body {
-        Body::Shell(shell) => shell.membrane.as_ref().is_some_and(|membrane| membrane.tension_field),
-        _ => false,
-    };
-    let body = model.bodies.iter().find(|body| has_wrinkles(body))?;
+    let has_wrinkles = |body: &&Body| body.membrane().is_some_and(|membrane| membrane.tension_field);
+    let body = model.bodies.iter().find(has_wrinkles)?;
     Some((CONCENTRATED, format!("shell `{}` is a tension field", body.name())))
 }
 

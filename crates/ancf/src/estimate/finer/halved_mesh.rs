@@ -124,6 +124,7 @@ mod tests {
             layers: Vec::new(),
             fibre_axis: None,
             fibre_angle: None,
+            membrane: None,
             motion: InitialMotion::default(),
         }
     }

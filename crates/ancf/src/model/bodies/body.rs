@@ -8,7 +8,7 @@ use super::formulation::Formulation;
 use super::parts::{At, InitialMotion, NamedPosition};
 use super::rigid::{PointMass, Rigid};
 use super::shape::Shape;
-use super::shells::{FieldShell, Layup, ShearShell, Shell};
+use super::shells::{FieldShell, Layup, Membrane, ShearShell, Shell};
 use super::surface::BodySurface;
 use crate::units::Scaled;
 
@@ -224,6 +224,15 @@ impl Body {
     /// Data of a shear-deformable shell.
     pub(crate) const fn shear_shell(&self) -> Option<&ShearShell> {
         if let Self::ShearShell(shell) = self { Some(shell) } else { None }
+    }
+
+    /// Law of the membrane forces of a shell.
+    pub(crate) const fn membrane(&self) -> Option<&Membrane> {
+        match self {
+            Self::Shell(shell) => shell.membrane.as_ref(),
+            Self::ShearShell(shell) => shell.membrane.as_ref(),
+            _ => None,
+        }
     }
 
     /// True for shells of either kind.

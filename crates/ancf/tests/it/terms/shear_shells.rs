@@ -2,13 +2,14 @@
 
 use ancf::mechanics::functions::Function;
 use ancf::mechanics::shells::{
-    ElementPatch, Face, Laminate, Ply, PlyElasticity, ShearMedium, ShearShellMesh, directors,
+    ElementPatch, Face, Laminate, MembraneLaw, Ply, PlyElasticity, ShearMedium, ShearShellMesh, directors,
 };
 use ancf::solver::equations::{Local, Term};
 use nalgebra::{Rotation3, Vector3};
 
 use super::cases::TermCase;
 use super::kind::TermKind;
+use super::shells::MEMBRANES;
 use crate::common::assertions::assert_near;
 use crate::common::random::Random;
 
@@ -47,6 +48,25 @@ pub(super) fn medium(is_laminate: bool, damping: [f64; 2]) -> ShearMedium {
         mass_damping,
         gravity: Vector3::new(0.3, -2.0, 0.7),
     }
+}
+
+/// Homogeneous plate with a law of the membrane.
+fn with_law(law: MembraneLaw, damping: [f64; 2]) -> ShearMedium {
+    let medium = medium(false, damping);
+    ShearMedium { section: medium.section.with_law(Some(law)), ..medium }
+}
+
+/// Laminate and plates with laws of the membrane, also tension fields.
+fn media() -> Vec<ShearMedium> {
+    let field = |(_, law, _): (_, MembraneLaw, _)| MembraneLaw { tension_field: Some(0.1), ..law };
+    let own = MEMBRANES.into_iter().map(|(_, law, _)| law);
+    let laws = own.chain(MEMBRANES.into_iter().map(field));
+    [medium(true, [0.0; 2])].into_iter().chain(laws.map(|law| with_law(law, [0.0; 2]))).collect()
+}
+
+/// Shapes with the media of [`media`].
+fn shapes_and_media() -> impl Iterator<Item = ((usize, &'static str), ShearMedium)> {
+    SHAPES.into_iter().flat_map(|shape| media().into_iter().map(move |medium| (shape, medium)))
 }
 
 /// Faces of a mesh of one element.
@@ -96,7 +116,12 @@ pub(super) fn shear_shell_terms() -> impl Iterator<Item = TermCase> {
         // The term is renumbered to its own coordinates by the mesh: positions only.
         let pressure = ElementPatch::face(&mesh_of(corners, false, [0.0; 2]), 0, Vector3::zeros());
         let pressure = pressure.pressure(1.7, &Function::ONE);
-        elements.chain([TermCase {
+        let membranes = MEMBRANES.into_iter().map(move |(name, law, damping)| TermCase {
+            name: format!("shear-deformable shell {name}, {shape}"),
+            term: element_of(&reference(corners), &with_law(law, damping)),
+            kind: if damping[0] == 0.0 { TermKind::Smooth } else { TermKind::Retarded },
+        });
+        elements.chain(membranes).chain([TermCase {
             name: format!("pressure on a {shape}"),
             term: pressure,
             kind: TermKind::NonConservative,
@@ -132,9 +157,9 @@ fn energy_and_forces(shell: &dyn Term, q: &[f64]) -> (f64, Vec<f64>) {
 /// A finite rigid motion of the deformed element changes no energy, and rotates its forces.
 #[test]
 fn shear_shells_are_objective() {
-    for (corners, shape) in SHAPES {
-        let (shell, reference, mut random) =
-            (element(corners, true, [0.0; 2]), reference(corners), Random(24));
+    for ((corners, shape), medium) in shapes_and_media() {
+        let (reference, mut random) = (reference(corners), Random(24));
+        let shell = element_of(&reference, &medium);
         let axis = nalgebra::Unit::new_normalize(Vector3::new(1.0, -2.0, 0.5));
         let turn = Rotation3::from_axis_angle(&axis, 1.0);
         let at = |q: &[f64]| energy_and_forces(&*shell, q);
@@ -154,8 +179,8 @@ fn shear_shells_are_objective() {
 /// A cyclic change of the first node changes neither energy nor forces.
 #[test]
 fn shear_shells_do_not_depend_on_the_first_node() {
-    for (corners, shape) in SHAPES {
-        let (medium, reference, mut random) = (medium(true, [0.0; 2]), reference(corners), Random(5));
+    for ((corners, shape), medium) in shapes_and_media() {
+        let (reference, mut random) = (reference(corners), Random(5));
         let deformed: Vec<Vector3<f64>> = reference.iter().map(|_| random.vector3() * 0.1).collect();
         let of = |first: usize| {
             let cyclic = |x: &[Vector3<f64>]| -> Vec<Vector3<f64>> {

@@ -70,23 +70,25 @@ fn pressure_and_support() -> [TermCase; 2] {
     ]
 }
 
-/// Elements with other laws of the membrane. The large remaining stiffness of the tension field has a smooth energy where no principal force
-/// changes its sign.
-fn membranes() -> impl Iterator<Item = TermCase> {
-    let law = |energy, tension_field| MembraneLaw { energy, tension_field };
+/// Smooth laws of the membrane with names and damping.
+pub(super) const MEMBRANES: [(&str, MembraneLaw, [f64; 2]); 3] = {
     let linear = MembraneEnergy::Linear { stiffness: 7.7, poisson: 0.3 };
     let rubber = MembraneEnergy::NeoHookean { stiffness: 2.6 };
-    let cases = [
-        ("shell membrane, linear", law(linear, None), [0.0; 2]),
-        ("shell membrane, NeoHookean", law(rubber, None), [0.0; 2]),
-        ("shell membrane, NeoHookean, damped", law(rubber, None), [0.2, 0.7]),
-    ];
-    cases.into_iter().map(|(name, law, damping)| {
+    [
+        ("membrane, linear", MembraneLaw { energy: linear, tension_field: None }, [0.0; 2]),
+        ("membrane, NeoHookean", MembraneLaw { energy: rubber, tension_field: None }, [0.0; 2]),
+        ("membrane, NeoHookean, damped", MembraneLaw { energy: rubber, tension_field: None }, [0.2, 0.7]),
+    ]
+};
+
+/// Elements with other laws of the membrane.
+fn membranes() -> impl Iterator<Item = TermCase> {
+    MEMBRANES.into_iter().map(|(name, law, damping)| {
         let medium = medium(false, damping);
         let medium = ShellMedium { section: medium.section.with_law(Some(law)), ..medium };
         let term = Shell48::all([((0..48).collect(), reference())], &medium, None).swap_remove(0);
         let kind = if damping[0] == 0.0 { TermKind::Smooth } else { TermKind::Retarded };
-        TermCase { name: name.into(), term: Box::new(term), kind }
+        TermCase { name: format!("shell {name}"), term: Box::new(term), kind }
     })
 }
 

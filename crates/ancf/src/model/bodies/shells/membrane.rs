@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::units::Scaled;
 
-/// Law of the membrane forces of a thin shell of one isotropic material. The bending stiffness remains linear.
+/// Law of the membrane forces of a shell of one isotropic material. The bending stiffness remains linear.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(deny_unknown_fields)]
 pub struct Membrane {

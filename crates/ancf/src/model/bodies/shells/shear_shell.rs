@@ -12,6 +12,7 @@ use super::fields::{
 };
 use super::layer::Layer;
 use super::layup::Layup;
+use super::membrane::Membrane;
 use crate::errors::number;
 use crate::model::bodies::parts::{At, EdgeName, EdgePlace, InitialMotion, NodePlace, PointPlace};
 use crate::units::Scaled;
@@ -55,6 +56,9 @@ pub struct ShearShell {
     /// Angle about the normal by which all fibres are turned, in radians: a number or a field; 0 by default.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub fibre_angle: Option<FibreAngle>,
+    /// Law of the membrane forces; the linear one by default.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub membrane: Option<Membrane>,
     /// Initial velocities in dynamics; at rest by default.
     #[serde(default, skip_serializing_if = "InitialMotion::is_rest")]
     pub motion: InitialMotion,

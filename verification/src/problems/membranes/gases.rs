@@ -2,8 +2,9 @@
 
 use std::f64::consts::{PI, TAU};
 
-use super::sphere::eighth;
+use super::sphere::{eighth, planes};
 use crate::problems::models::Convergence;
+use crate::problems::shear_shells::mesh::isotropic;
 use crate::{Findings, Plot, PlotCurve, Problem, VerificationError, solve};
 
 /// Problems of this file.
@@ -40,11 +41,12 @@ fn breathe(n: usize) -> Result<(f64, f64, Vec<[f64; 2]>), VerificationError> {
     let omega = ((2e5 / 0.7 + 3.0 * 1.4 * 30000.0) / 10.0_f64).sqrt();
     let (period, amplitude) = (TAU / omega, 1.0 / (10.0 * omega * omega));
     let solved = solve(&format!(
-        "materials.m = {{ young = 1e7, poisson = 0.3, density = 1000 }}\n{}\
+        "{}{}\
          [[loads]]\nkind = \"gas\"\nname = \"air\"\nsurfaces = [{{ body = \"s\" }}]\napex = [0, 0, 0]\npressure = 30001\n\
          ambient = 30000\nexponent = 1.4\n[[probes]]\nname = \"p\"\non = {{ body = \"s\", at = [1, 0, 0] }}\n\
          [analysis]\nkind = \"dynamics\"\nduration = {period:?}\nstep = {:?}\nscheme = \"energy\"\n",
-        eighth(n, 0.01),
+        eighth(n, 0.01, isotropic([1e7, 0.3, 1000.0])),
+        planes(&["e0", "e1", "e2"]),
         period / 200.0
     ))?;
     let mut largest = 0.0_f64;

@@ -1,5 +1,6 @@
 //! Gas between shells, rubber and wrinkled membranes.
 
+mod balloons;
 mod gases;
 mod rubber;
 mod sphere;
@@ -8,4 +9,5 @@ mod wrinkles;
 use crate::Problem;
 
 /// Problems of gases and membranes.
-pub(super) const FAMILIES: [&[Problem]; 3] = [gases::PROBLEMS, rubber::PROBLEMS, wrinkles::PROBLEMS];
+pub(super) const FAMILIES: [&[Problem]; 4] =
+    [gases::PROBLEMS, rubber::PROBLEMS, balloons::PROBLEMS, wrinkles::PROBLEMS];

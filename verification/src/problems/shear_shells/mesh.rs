@@ -17,7 +17,7 @@ pub(in crate::problems) struct MeshModel {
 }
 
 /// Point and normal of a surface as a function of its parameters.
-pub(super) type Map<'a> = dyn Fn([f64; 2]) -> [[f64; 3]; 2] + 'a;
+pub(in crate::problems) type Map<'a> = dyn Fn([f64; 2]) -> [[f64; 3]; 2] + 'a;
 
 /// Isotropic material: Young's modulus, Poisson's ratio and density.
 pub(in crate::problems) fn isotropic([young, poisson, density]: [f64; 3]) -> String {
@@ -62,7 +62,7 @@ impl MeshModel {
     }
 
     /// Mesh of grids of n × n elements that share their common nodes, without groups.
-    pub(super) fn patches(n: usize, thickness: f64, material: String, maps: &[&Map]) -> Self {
+    pub(in crate::problems) fn patches(n: usize, thickness: f64, material: String, maps: &[&Map]) -> Self {
         let mut mesh = Self {
             nodes: Vec::new(),
             elements: Vec::new(),
@@ -94,7 +94,11 @@ impl MeshModel {
     }
 
     /// Adds the edge through all nodes with a coordinate along it.
-    pub(super) fn with_edge(mut self, name: &str, coordinate: impl Fn([f64; 3]) -> Option<f64>) -> Self {
+    pub(in crate::problems) fn with_edge(
+        mut self,
+        name: &str,
+        coordinate: impl Fn([f64; 3]) -> Option<f64>,
+    ) -> Self {
         let nodes = self.nodes.iter().enumerate();
         let mut chain: Vec<(f64, usize)> =
             nodes.filter_map(|(k, &node)| coordinate(node).map(|s| (s, k))).collect();
@@ -105,14 +109,14 @@ impl MeshModel {
     }
 
     /// Names the node at a point.
-    pub(super) fn with_point(mut self, name: &str, at: [f64; 3]) -> Self {
+    pub(in crate::problems) fn with_point(mut self, name: &str, at: [f64; 3]) -> Self {
         let nodes = Vec::from_iter(self.number(at));
         self.groups += &format!("groups.{name} = {{ nodes = {nodes:?} }}\n");
         self
     }
 
     /// Divides chosen quadrilaterals into two triangles.
-    pub(super) fn divided(self, is_divided: impl Fn(usize) -> bool) -> Self {
+    pub(in crate::problems) fn divided(self, is_divided: impl Fn(usize) -> bool) -> Self {
         let parts = |(k, element): (usize, Vec<usize>)| match element[..] {
             [a, b, c, d] if is_divided(k) => vec![vec![a, b, c], vec![a, c, d]],
             _ => vec![element],
@@ -122,7 +126,12 @@ impl MeshModel {
     }
 
     /// Flat rectangular plate in the plane x, y.
-    pub(super) fn plate(elements: [usize; 2], [a, b]: [f64; 2], thickness: f64, material: String) -> Self {
+    pub(in crate::problems) fn plate(
+        elements: [usize; 2],
+        [a, b]: [f64; 2],
+        thickness: f64,
+        material: String,
+    ) -> Self {
         Self::grid(elements, thickness, material, |[u, v]| [[a * u, b * v, 0.0], [0.0, 0.0, 1.0]])
     }
 }

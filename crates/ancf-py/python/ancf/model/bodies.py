@@ -214,7 +214,7 @@ MembraneKind: TypeAlias = Literal["linear", "neo_hookean"]
 @checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Membrane(Part):
-    """Law of the membrane forces of a thin shell of one isotropic material.
+    """Law of the membrane forces of a shell of one isotropic material.
 
     The bending stiffness remains linear.
 
@@ -792,6 +792,8 @@ class ShearShell(Part):
         required with orthotropic materials.
     layers
         Layers from the lower to the upper side in the direction of the normal; by default a single one.
+    membrane
+        Law of the membrane forces; the linear one by default.
     motion
         Initial velocities in dynamics; at rest by default.
 
@@ -811,6 +813,7 @@ class ShearShell(Part):
     crease: float | None = None
     fibre_axis: Vector | None = None
     layers: Sequence[Layer] | None = None
+    membrane: Membrane | None = None
     motion: InitialMotion | None = None
 
 

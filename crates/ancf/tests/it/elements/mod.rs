@@ -13,6 +13,7 @@ mod properties;
 mod redundant_edges;
 mod seam_motions;
 mod seams;
+mod shear_membranes;
 mod shear_shells;
 mod shell_stresses;
 mod shells;

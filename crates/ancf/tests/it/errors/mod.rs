@@ -5,7 +5,7 @@ mod eigenvalues;
 mod linear_problems;
 mod motions;
 mod shell_statements;
-mod shells;
+pub(crate) mod shells;
 mod statements;
 
 use ancf::estimate::DiscretisationErrors;

@@ -51,7 +51,7 @@ fn mesh(
 
 /// Kind of a shell under test.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Shell {
+pub(crate) enum Shell {
     Thin,
     Quadrilaterals,
     Triangles,
@@ -66,7 +66,7 @@ impl Shell {
     }
 
     /// Rectangle a × b, named `s`. Nodes of shear-deformable shells are on a surface.
-    fn body_on(
+    pub(crate) fn body_on(
         self,
         [a, b]: [f64; 2],
         [n, m]: [u32; 2],
@@ -83,7 +83,7 @@ impl Shell {
         format!("[[bodies]]\nname = \"s\"\nmaterial = \"m\"\nthickness = {thickness:?}\n{keys}\n")
     }
 
-    pub(super) fn edge(self, name: &str) -> String {
+    pub(crate) fn edge(self, name: &str) -> String {
         let thin = match name {
             "left" => "u_start",
             "right" => "u_end",
@@ -94,7 +94,7 @@ impl Shell {
     }
 
     /// Probe at a point of the rectangle a × b.
-    pub(super) fn probe(self, [a, b]: [f64; 2], [x, y]: [f64; 2], keys: &str) -> String {
+    pub(crate) fn probe(self, [a, b]: [f64; 2], [x, y]: [f64; 2], keys: &str) -> String {
         let at =
             if self == Thin { format!("[{:?}, {:?}]", x / a, y / b) } else { format!("[{x:?}, {y:?}, 0]") };
         format!("[[probes]]\nname = \"p\"\non = {{ body = \"s\", at = {at} }}\n{keys}\n")

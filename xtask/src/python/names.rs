@@ -56,8 +56,10 @@ const DRIVES: [&str; 10] = [
 ];
 
 /// Names of classes that differ from the word of their form: definition, word or first required key, name.
-const CLASSES: [(&str, &str, &str); 36] = [
+const CLASSES: [(&str, &str, &str); 40] = [
     ("Analysis", "path", "EquilibriumPath"),
+    ("AngleField", "expression", "AngleFormula"),
+    ("AxisField", "expression", "AxisFormula"),
     ("Body", "mass", "PointMass"),
     ("Body", "rigid", "RigidBody"),
     ("ContactSurface", "bodies", "MutualContact"),
@@ -89,6 +91,8 @@ const CLASSES: [(&str, &str, &str); 36] = [
     ("Stop", "energy", "EnergyCriterion"),
     ("Stop", "increment", "IncrementCriterion"),
     ("Stop", "residual", "ResidualCriterion"),
+    ("ThicknessField", "expression", "ThicknessFormula"),
+    ("ThicknessField", "nodes", "NodalThickness"),
     ("Varying", "external", "ExternalFunction"),
     ("Varying", "input", "InputFunction"),
     ("Varying", "step", "StepFunction"),

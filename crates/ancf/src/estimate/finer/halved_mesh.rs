@@ -2,7 +2,7 @@ use std::collections::HashMap;
 
 use nalgebra::Vector3;
 
-use crate::model::{ElementMesh, ElementNodes, MeshGroup, ShearShell};
+use crate::model::{ElementMesh, ElementNodes, MeshGroup, ShearShell, ShellThickness, ThicknessField};
 
 /// Division of the elements of a shear-deformable shell into four.
 struct Division {
@@ -10,6 +10,8 @@ struct Division {
     directors: Vec<Vector3<f64>>,
     /// Nodes in the middle of edges, by the ends of the edge in ascending order.
     middles: HashMap<[u32; 2], u32>,
+    /// Numbers at the nodes; none without a field.
+    values: Vec<f64>,
 }
 
 /// Divides each element of a mesh into four. Old nodes keep their numbers, and groups their names and places.
@@ -19,8 +21,7 @@ struct Division {
 ///
 /// Source: Vlachos, Peters, Boyd & Mitchell (2001).
 pub(super) fn halved_mesh(shell: &ShearShell) -> ElementMesh {
-    let (points, directors) = (shell.points(), shell.unit_directors());
-    let mut division = Division { points, directors, middles: HashMap::new() };
+    let mut division = Division::of(shell, Vec::new());
     let elements = shell.mesh.elements.iter().flat_map(|element| division.divide(element)).collect();
     let groups = shell.mesh.groups.iter().map(|(name, group)| (name.clone(), division.group(group)));
     let directors = if shell.mesh.directors.is_empty() { &[] } else { division.directors.as_slice() };
@@ -35,7 +36,24 @@ pub(super) fn halved_mesh(shell: &ShearShell) -> ElementMesh {
     }
 }
 
+/// Thickness on the divided mesh. Values at new nodes are those of the shape functions of the elements.
+pub(super) fn halved_thickness(shell: &ShearShell) -> ShellThickness {
+    let ShellThickness::Varying(ThicknessField::Nodes { values }) = &shell.thickness else {
+        return shell.thickness.clone();
+    };
+    let mut division = Division::of(shell, values.clone());
+    for element in &shell.mesh.elements {
+        division.divide(element);
+    }
+    ShellThickness::Varying(ThicknessField::Nodes { values: division.values })
+}
+
 impl Division {
+    /// Division of a shell before its first element.
+    fn of(shell: &ShearShell, values: Vec<f64>) -> Self {
+        Self { points: shell.points(), directors: shell.unit_directors(), middles: HashMap::new(), values }
+    }
+
     /// Elements of a quarter of the size, with the orientation and the first corners of the element.
     fn divide(&mut self, element: &ElementNodes) -> Vec<ElementNodes> {
         match *element {
@@ -53,7 +71,12 @@ impl Division {
         }
     }
 
-    fn add(&mut self, point: Vector3<f64>, director: Vector3<f64>) -> u32 {
+    /// Adds a node between others.
+    fn add(&mut self, point: Vector3<f64>, director: Vector3<f64>, between: &[u32]) -> u32 {
+        if !self.values.is_empty() {
+            let sum: f64 = between.iter().map(|node| self.values[*node as usize]).sum();
+            self.values.push(sum / between.len() as f64);
+        }
         self.points.push(point);
         self.directors.push(director.normalize());
         (self.points.len() - 1) as u32
@@ -72,7 +95,7 @@ impl Division {
         // Quadratic normals, whose middle is the mean reflected at the plane across the edge.
         let sum = n + m;
         let across = (sum - edge * (2.0 * edge.dot(&sum) / edge.norm_squared())).normalize();
-        let node = self.add(point, sum * 0.25 + across * 0.5);
+        let node = self.add(point, sum * 0.25 + across * 0.5, &key);
         self.middles.insert(key, node);
         node
     }
@@ -85,7 +108,7 @@ impl Division {
             sum(middles) * 0.5 - sum(corners) * 0.25
         };
         let (point, director) = (blend(&self.points), blend(&self.directors));
-        self.add(point, director)
+        self.add(point, director, &corners)
     }
 
     /// The same nodes, edges and elements on the divided mesh.

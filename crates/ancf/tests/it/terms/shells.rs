@@ -4,7 +4,8 @@ use ancf::mechanics::constraints::{ConstrainedVector, LinearConstraint};
 use ancf::mechanics::functions::Function;
 use ancf::mechanics::kinematics::Marker;
 use ancf::mechanics::shells::{
-    ElementPatch, MembraneEnergy, MembraneLaw, Shell48, ShellMedium, ShellMesh, ShellSection,
+    ElementPatch, LocalSection, MembraneEnergy, MembraneLaw, SectionField, Shell48, ShellMedium, ShellMesh,
+    ShellSection,
 };
 use ancf::solver::equations::Local;
 use nalgebra::{Matrix3, Rotation3, Vector3};
@@ -36,6 +37,17 @@ pub(super) fn medium(coupled: bool, damping: [f64; 2]) -> ShellMedium {
     }
     let [retardation, mass_damping] = damping;
     ShellMedium { section, axis: None, retardation, mass_damping, gravity: Vector3::new(0.3, -2.0, 0.7) }
+}
+
+/// Element whose thickness and fibres vary over the surface.
+fn varying(damping: [f64; 2]) -> Shell48 {
+    let section = |[x, y]: [f64; 2]| LocalSection {
+        scale: 1.0 + 0.5 * x - 0.3 * y * y,
+        axis: Some(Vector3::new(1.0, x, 0.2)),
+        turn: 0.4 * y,
+    };
+    let field = SectionField::new(move |_, at| section(at));
+    Shell48::all([((0..48).collect(), reference())], &medium(true, damping), Some(&field)).swap_remove(0)
 }
 
 pub(super) fn element(coupled: bool, damping: [f64; 2]) -> Shell48 {
@@ -104,7 +116,12 @@ pub(super) fn shell_terms() -> impl Iterator<Item = TermCase> {
         term: Box::new(element(coupled, damping)),
         kind,
     });
-    elements.chain(membranes()).chain(pressure_and_support())
+    let varying = TermCase {
+        name: "shell, varying".into(),
+        term: Box::new(varying([0.2, 0.7])),
+        kind: TermKind::Retarded,
+    };
+    elements.chain([varying]).chain(membranes()).chain(pressure_and_support())
 }
 
 /// A finite rigid motion of the deformed element changes no energy, and rotates its forces.

@@ -8,8 +8,8 @@ use nalgebra::Vector3;
 
 use crate::loads::{Load, rigidity};
 use crate::model::{
-    Beam, Body, FibreAxis, FieldShell as _, IndexedModel, Layup, MaterialLaw, Membrane, Place, Probe, ShearShell,
-    Shell, TimeMode,
+    Beam, Body, FibreAxis, FieldShell as _, IndexedModel, Layup, MaterialLaw, Membrane, Place, Probe,
+    ShearShell, Shell, TimeMode,
 };
 
 impl IndexedModel<'_> {

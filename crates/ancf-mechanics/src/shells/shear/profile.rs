@@ -5,7 +5,9 @@ use super::forms::{
     Form, SURFACE, Strains, Vectors, Weighting, forms, gradient, interpolate, sampled_shear,
     shear_interpolation,
 };
-use crate::shells::laminates::{LocalSection, MembranePoints, ThickSection, strain_transform, to_orthonormal};
+use crate::shells::laminates::{
+    LocalSection, MembranePoints, ShellSection, ThickSection, strain_transform, to_orthonormal,
+};
 use crate::shells::prestrain::SurfaceLaw;
 
 /// Number of enhanced membrane strain modes of a quadrilateral. A triangle and an element with a law of the membrane have none.

@@ -37,7 +37,8 @@ impl Elements {
             );
             return (text, ["u_start", "u_end"]);
         }
-        let mesh = MeshModel::plate([10, 20], [1.0; 2], 0.01, isotropic([3.0, 0.0, 1.0]));
+        let mesh = MeshModel::plate([10, 20], [1.0; 2], 0.01, isotropic([3.0, 0.0, 1.0]))
+            .with_point("left", [0.0, 0.5, 0.0]);
         let mesh = MeshModel { keys: membrane, ..mesh };
         let is_divided = matches!(self, Self::Triangles);
         (mesh.divided(|_| is_divided).to_string(), ["u0", "u1"])
@@ -47,7 +48,7 @@ impl Elements {
 /// Rotation of the rigid edge.
 fn rotation(elements: Elements, ratio: f64, field: bool) -> Result<f64, VerificationError> {
     let (strip, [left, right]) = elements.strip(field);
-    let middle = if let Elements::Thin = elements { "[0, 0.5]" } else { "[0, 0.5, 0]" };
+    let middle = if let Elements::Thin = elements { "[0, 0.5]" } else { "{ point = \"left\" }" };
     let solved = solve(&format!(
         "analysis = {{ kind = \"statics\" }}\n{strip}\
          [[bodies]]\nkind = \"rigid\"\nname = \"hub\"\ncenter = [1, 0.5, 0]\nmass = 1\ninertia = [1, 1, 1]\n\

@@ -303,12 +303,9 @@ impl<const V: usize, const S: usize> ShearProfile<V, S> {
                 errors[k] += sum * self.gradient_size(k, a, form, q) * (q[a] + time * v[a]);
             }
         }
-        // The damping of a law of the membrane has the linear stiffness.
-        let of_damping = if self.membrane.is_some() && time != 0.0 { 1.0 } else { 0.0 };
-        let stiffness = self.state_stiffness(strains, [1.0, of_damping]);
         let mut of_stress = [0.0; S];
         for (k, error) in of_stress.iter_mut().enumerate() {
-            let row = stiffness.row(k);
+            let row = self.stiffness.row(k);
             *error =
                 row.iter().enumerate().map(|(l, c)| c.abs() * (errors[l] + sum * strains[l].abs())).sum();
         }

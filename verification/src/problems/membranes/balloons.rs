@@ -1,4 +1,4 @@
-//! Balloons of shear-deformable shells: a sphere of rubber and two discs of a film.
+//! Balloons of shear-deformable shells: a sphere of rubber and two discs of a thin sheet.
 
 use std::f64::consts::FRAC_PI_4;
 
@@ -120,7 +120,7 @@ fn quarter_of_disc(n: usize, thickness: f64, material: String) -> MeshModel {
 }
 
 /// Radius and thickness of the balloon of 3 n² elements with p a/(E h) = 0.001, relative to those of Paulsen.
-fn balloon_of_film(n: usize) -> Result<[f64; 2], VerificationError> {
+fn balloon_of_discs(n: usize) -> Result<[f64; 2], VerificationError> {
     let (young, thickness) = (1e8, 1e-3);
     let mesh = quarter_of_disc(n, thickness, isotropic([young, 0.3, 1000.0]));
     let keys = "membrane = { tension_field = true, slack = 1e-6 }\n".into();
@@ -148,7 +148,7 @@ fn balloon_of_film(n: usize) -> Result<[f64; 2], VerificationError> {
 fn mylar() -> Result<Findings, VerificationError> {
     let mut found = Findings::default();
     for n in [4, 8] {
-        let [radius, thickness] = balloon_of_film(n)?;
+        let [radius, thickness] = balloon_of_discs(n)?;
         found.compare(format!("radius, relative, {} elements", 3 * n * n), radius, 1.0, 1.0, 1e-2);
         found.compare(format!("thickness, relative, {} elements", 3 * n * n), thickness, 1.0, 1.0, 1e-2);
     }

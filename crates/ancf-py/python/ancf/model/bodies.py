@@ -14,7 +14,11 @@ from ancf.model.base.part import Numbers, Part, PointGrid, Points, Vector
 from ancf.model.sections import Material, Section
 
 __all__ = [
+    "AngleField",
+    "AngleFormula",
     "Arc",
+    "AxisField",
+    "AxisFormula",
     "AxisShape",
     "Beam",
     "Body",
@@ -26,6 +30,8 @@ __all__ = [
     "DisplayShape",
     "DisplaySphere",
     "ElementMesh",
+    "FibreAngle",
+    "FibreAxis",
     "FlatSurface",
     "Formulation",
     "Helix",
@@ -35,17 +41,21 @@ __all__ = [
     "Membrane",
     "MembraneKind",
     "MeshGroup",
+    "NodalThickness",
     "PointMass",
     "RevolvedSurface",
     "RigidBody",
     "ShearShell",
     "Shell",
     "ShellSurface",
+    "ShellThickness",
     "SlopeCoordinates",
     "SphericalSurface",
     "Spline",
     "Straight",
     "SweptSurface",
+    "ThicknessField",
+    "ThicknessFormula",
     "TwistedSurface",
 ]
 
@@ -179,6 +189,69 @@ SlopeCoordinates: TypeAlias = Literal["gradient", "length"]
 
 @checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
+class AngleFormula(Part):
+    """Formula in the position x, y, z in the reference state, and in u, v of a thin shell.
+
+    Attributes
+    ----------
+    text
+        Formula of the angle in radians, such as ``0.5*pi*x``.
+    unit
+        Length of the unit of x, y and z of the formula, length; 1 by default (> 0).
+
+    """
+
+    _form = "AngleField"
+    _tag = "kind"
+    kind: ClassVar[Literal["expression"]] = "expression"
+
+    text: str
+    unit: float | None = None
+
+
+AngleField: TypeAlias = AngleFormula
+"""Angle of fibres as a field over a shell."""
+
+FibreAngle: TypeAlias = float | AngleField
+"""Angle by which all fibres of a shell are turned about the normal: a number, or a field over the surface."""
+
+
+@checked_arguments
+@dataclass(kw_only=True, slots=True, eq=False, repr=False)
+class AxisFormula(Part):
+    """Formulas of the three components in the position x, y, z in the reference state, and in u, v of a thin
+    shell.
+
+    Attributes
+    ----------
+    text
+        Formulas, such as ``["-y", "x", "0"]`` for circles about the z axis. The length of the axis has no
+        meaning.
+    unit
+        Length of the unit of x, y and z of the formulas, length; 1 by default (> 0).
+
+    """
+
+    _form = "AxisField"
+    _tag = "kind"
+    kind: ClassVar[Literal["expression"]] = "expression"
+
+    text: Sequence[str]
+    unit: float | None = None
+
+
+AxisField: TypeAlias = AxisFormula
+"""Axis of fibres as a field over a shell."""
+
+FibreAxis: TypeAlias = Vector | AxisField
+"""Axis whose projection on a shell is the direction of the fibre angle zero.
+
+A vector, or a field over the surface.
+"""
+
+
+@checked_arguments
+@dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Layer(Part):
     """Layer of a shell, such as a ply of a laminate.
 
@@ -191,7 +264,7 @@ class Layer(Part):
         Name of the material, a key of ``materials``; that of the shell by default.
     thickness
         Thickness, length. By default all layers are equally thick. Given thicknesses sum up to the thickness
-        of the shell (> 0).
+        of the shell; where that varies, they are proportions of it (> 0).
 
     """
 
@@ -411,6 +484,56 @@ ShellSurface: TypeAlias = (
 
 The normal is that of the directions of u and v by the right-hand rule.
 """
+
+
+@checked_arguments
+@dataclass(kw_only=True, slots=True, eq=False, repr=False)
+class ThicknessFormula(Part):
+    """Formula in the position x, y, z in the reference state, and in u, v of a thin shell.
+
+    Attributes
+    ----------
+    text
+        Formula, such as ``0.01*(2 - x)``.
+    unit
+        Length of the unit of x, y, z and of the value of the formula: 0.001 for millimetres in a model in
+        metres, length; 1 by default (> 0).
+
+    """
+
+    _form = "ThicknessField"
+    _tag = "kind"
+    kind: ClassVar[Literal["expression"]] = "expression"
+
+    text: str
+    unit: float | None = None
+
+
+@checked_arguments
+@dataclass(kw_only=True, slots=True, eq=False, repr=False)
+class NodalThickness(Part):
+    """Values at the nodes of the mesh of a shear-deformable shell, with the shape functions of the elements
+    in between.
+
+    Attributes
+    ----------
+    values
+        Thickness at each node, length.
+
+    """
+
+    _form = "ThicknessField"
+    _tag = "kind"
+    kind: ClassVar[Literal["nodes"]] = "nodes"
+
+    values: Numbers
+
+
+ThicknessField: TypeAlias = ThicknessFormula | NodalThickness
+"""Thickness as a field over a shell. All plies have the same proportion of it everywhere."""
+
+ShellThickness: TypeAlias = float | ThicknessField
+"""Thickness of a shell: a number, or a field over the surface."""
 
 
 @checked_arguments
@@ -737,11 +860,14 @@ class Shell(Surface):
     elements
         Numbers of elements along u and v.
     thickness
-        Thickness, length (> 0).
+        Thickness, length: a number or a field.
     material
         Name of the material, a key of ``materials``. Or the material itself.
+    fibre_angle
+        Angle about the normal by which all fibres are turned, in radians: a number or a field; 0 by default.
     fibre_axis
-        Axis whose projection on the surface has the fibre angle zero; by default the direction of u.
+        Axis whose projection on the surface has the fibre angle zero, a vector or a field; by default the
+        direction of u.
     layers
         Layers from the lower to the upper side in the direction of the normal; by default a single one.
     membrane
@@ -761,9 +887,10 @@ class Shell(Surface):
     name: str = field(kw_only=False)
     surface: ShellSurface
     elements: Sequence[int]
-    thickness: float
+    thickness: ShellThickness
     material: str | Material
-    fibre_axis: Vector | None = None
+    fibre_angle: FibreAngle | None = None
+    fibre_axis: FibreAxis | None = None
     layers: Sequence[Layer] | None = None
     membrane: Membrane | None = None
     motion: InitialMotion | None = None
@@ -781,15 +908,17 @@ class ShearShell(Part):
     mesh
         Mesh of the middle surface in the reference state, which is free of stress.
     thickness
-        Thickness, length (> 0).
+        Thickness, length: a number or a field.
     material
         Name of the material, a key of ``materials``. Or the material itself.
     crease
         Largest angle of the normals of neighbouring elements, in radians. Larger ones are kinks, which are
         rejected; 0.7 by default (> 0, < 1.5).
+    fibre_angle
+        Angle about the normal by which all fibres are turned, in radians: a number or a field; 0 by default.
     fibre_axis
         Axis whose projection on the surface is the first direction of stresses and the fibre angle zero;
-        required with orthotropic materials.
+        required with orthotropic materials. A field is that of the fibre angle zero only.
     layers
         Layers from the lower to the upper side in the direction of the normal; by default a single one.
     membrane
@@ -808,10 +937,11 @@ class ShearShell(Part):
 
     name: str = field(kw_only=False)
     mesh: ElementMesh
-    thickness: float
+    thickness: ShellThickness
     material: str | Material
     crease: float | None = None
-    fibre_axis: Vector | None = None
+    fibre_angle: FibreAngle | None = None
+    fibre_axis: FibreAxis | None = None
     layers: Sequence[Layer] | None = None
     membrane: Membrane | None = None
     motion: InitialMotion | None = None

@@ -80,7 +80,7 @@ fn cantilever(sheet: &Sheet, thickness: &str) -> String {
     format!(
         "analysis = {{ kind = \"statics\" }}\n{MATERIAL}{}{CLAMP}\
          [[loads]]\nkind = \"edge_force\"\nbody = \"s\"\nedge = \"u_end\"\nforce = [0, 0, 1e-6]\n\
-         [[probes]]\nname = \"p\"\non = {}\nrecord = [\"motion\", \"reactions\"]\n",
+         [[probes]]\nname = \"p\"\non = {}\nrecord = [\"motion\"]\n",
         sheet.body(&format!("thickness = {thickness}")),
         sheet.corner([1, 0])
     )

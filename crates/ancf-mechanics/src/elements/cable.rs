@@ -8,6 +8,7 @@ use nalgebra::{Matrix3, Vector3};
 use super::beam::add_blocks;
 use super::cable_products::CableColumn;
 use super::cable_profile::{CableDamping, CableProfile, CableStation};
+use super::cable_rounding::{axial_rounding, bending_rounding};
 use super::cable_step::{CableStep, vectors};
 use crate::kinematics::{AxialStretch, Bend, BendBlocks, relative_rotation};
 
@@ -99,7 +100,7 @@ impl Cable12 {
         [0.5 * section.axial * axial.sum::<f64>(), 0.5 * section.bending * bending.sum::<f64>()]
     }
 
-    pub(super) fn stretch(&self, station: &CableStation, q: &[Vector3<f64>; 4]) -> AxialStretch {
+    fn stretch(&self, station: &CableStation, q: &[Vector3<f64>; 4]) -> AxialStretch {
         AxialStretch::new(&self.direction, &station.first(q))
     }
 
@@ -202,13 +203,15 @@ impl Term for Cable12 {
             f64::EPSILON * (inertia + weight)
         });
         for station in profile.axial() {
-            let force = station.weight * self.axial_rounding(station, &q, &v);
+            let stretch = self.stretch(station, &q);
+            let force = station.weight * axial_rounding(profile, station, &stretch, [&q, &v]);
             for (bound, s) in bound.iter_mut().zip(station.first) {
                 *bound += force * s.abs();
             }
         }
         for station in profile.bending() {
-            let [of_a, of_b] = self.bending_rounding(station, &q, &v).map(|f| station.weight * f);
+            let [of_a, of_b] =
+                bending_rounding(profile, station, &self.direction, [&q, &v]).map(|f| station.weight * f);
             for (i, bound) in bound.iter_mut().enumerate() {
                 *bound += of_a * station.first[i].abs() + of_b * station.second[i].abs();
             }

@@ -7,7 +7,7 @@ use crate::units::Scaled;
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(untagged)]
 pub enum ShellThickness {
-    /// Constant thickness.
+    /// Constant thickness, length.
     Uniform(
         #[unit(length)]
         #[schemars(extend("exclusiveMinimum" = 0))]

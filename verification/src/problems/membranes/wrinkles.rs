@@ -85,11 +85,13 @@ fn wrinkles() -> Result<Findings, VerificationError> {
         found.compare(format!("rotation, M/(P H) = {ratio}"), angle, exact, exact, 1e-2);
         points.push([ratio, angle]);
     }
-    for (kind, name) in
-        [(Elements::Quadrilaterals, "quadrilaterals with shear"), (Elements::Triangles, "triangles")]
-    {
+    for (kind, name, tolerance) in [
+        (Elements::Quadrilaterals, "quadrilaterals with shear", 1e-2),
+        // Triangles of constant strain are stiff in bending in their plane.
+        (Elements::Triangles, "triangles", 5e-2),
+    ] {
         let (angle, exact) = (rotation(kind, 0.3, true)?, exact(0.3));
-        found.compare(format!("rotation, M/(P H) = 0.3, {name}"), angle, exact, exact, 1e-2);
+        found.compare(format!("rotation, M/(P H) = 0.3, {name}"), angle, exact, exact, tolerance);
     }
     let (angle, flat) = (rotation(Elements::Thin, 0.4, false)?, 12.0 * 0.4 * TENSION / STIFFNESS);
     found.compare("rotation without wrinkles, M/(P H) = 0.4", angle, flat, flat, 1e-2);

@@ -104,7 +104,7 @@ fn deflection([h0, c]: [f64; 2], with_shear: bool) -> f64 {
 #[test]
 fn tapered_strips_deflect_as_beams() {
     for (kind, meshes, limit, order) in [
-        (Kind::Thin, [1, 2, 4], 2e-4, 3.5),
+        (Kind::Thin, [4, 8, 16], 1e-5, 3.5),
         (Kind::Quads, [8, 16, 32], 2e-3, 1.9),
         (Kind::Triangles, [8, 16, 32], 6e-3, 1.7),
     ] {
@@ -204,7 +204,7 @@ fn nodal_values_are_linear() {
         assert_same_columns(
             &format!("{kind:?}"),
             [&formula, &nodes],
-            &["iterations", "residual", "increment", "drift"],
+            &["iterations", "residual", "increment", "drift", "unstable"],
             1e-9,
             1e-6,
         );
@@ -311,10 +311,11 @@ fn wedges_touch_planes_by_their_thickness() {
     }
 }
 
-/// The stress at the face of a tapered strip under a moment is 6 m/h² of its place.
+/// The stress at the face of a tapered strip under a moment is 6 m/h² of its place. The curvature at the nodes of thin elements of the
+/// size Δ has the relative error Δ² κ''/(12 κ) = 4.4e-3 of cubic functions.
 #[test]
 fn stresses_have_the_local_thickness() {
-    for (kind, tolerance) in [(Kind::Thin, 1e-3), (Kind::Quads, 2e-2), (Kind::Triangles, 2e-2)] {
+    for (kind, tolerance) in [(Kind::Thin, 5e-3), (Kind::Quads, 2e-2), (Kind::Triangles, 2e-2)] {
         let sheet = Sheet { sides: [1.0, 0.1], ..Sheet::unit(kind, [10, 1]) };
         let text = cantilever(&sheet, "{ kind = \"expression\", text = \"0.02*(1 - 0.5*x)\" }")
             .replace("edge_force", "edge_moment")

@@ -22,7 +22,7 @@ fn wrong_fields_are_rejected() {
             formula("0.1*(0.5 - u)"),
             ["bodies[0].thickness", "found 0 at [u, v] = [0.5, 0], element 1, 1"],
         ),
-        (Kind::Quads, formula("0.1*(0.5 - x)"), ["bodies[0].thickness", "element 1"]),
+        (Kind::Quads, formula("0.1*(0.5 - x)"), ["bodies[0].thickness", "found 0 at (0.5, 0, 0), element 0"]),
         (Kind::Thin, formula("1/(u - 1)^2"), ["bodies[0].thickness", "inf"]),
         (Kind::Quads, formula("0.1*u"), ["bodies[0].thickness.text", "`x`, `y`, `z`"]),
         (Kind::Thin, formula("0.1*(x"), ["bodies[0].thickness.text", "character"]),

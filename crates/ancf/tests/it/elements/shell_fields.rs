@@ -110,7 +110,7 @@ fn tapered_strips_deflect_as_beams() {
     ] {
         let exact = deflection([0.02, 0.6], kind != Kind::Thin);
         let errors = meshes.map(|n| {
-            let sheet = Sheet { sides: [1.0, 0.25], ..Sheet::unit(kind, [n, 1]) };
+            let sheet = Sheet { sides: [1.0, 0.25], ..Sheet::unit(kind, [n, n / 4]) };
             let text = cantilever(&sheet, "{ kind = \"expression\", text = \"0.02*(1 - 0.6*x)\" }");
             (Run::of(&parse(&text)).last("p.z") / exact - 1.0).abs()
         });
@@ -201,13 +201,10 @@ fn nodal_values_are_linear() {
                 cantilever(&sheet, &field).replacen("[[probes]]", "[output]\nerrors = true\n[[probes]]", 1);
             Run::of(&parse(&text))
         });
-        assert_same_columns(
-            &format!("{kind:?}"),
-            [&formula, &nodes],
-            &["iterations", "residual", "increment", "drift", "unstable"],
-            1e-9,
-            1e-6,
-        );
+        for column in ["p.z", "p.z_error"] {
+            let [formula, nodes] = [&formula, &nodes].map(|run| run.last(column));
+            assert_relative(&format!("{kind:?}, {column}"), nodes, formula, 1e-6);
+        }
     }
 }
 
@@ -312,10 +309,11 @@ fn wedges_touch_planes_by_their_thickness() {
 }
 
 /// The stress at the face of a tapered strip under a moment is 6 m/h² of its place. The curvature at the nodes of thin elements of the
-/// size Δ has the relative error Δ² κ''/(12 κ) = 4.4e-3 of cubic functions.
+/// size Δ has the relative error Δ² κ''/(12 κ) = 4.4e-3 of cubic functions. Triangles have the stresses of their centroids, here at the
+/// distance Δ/3: 2 Δ h'/(3 h) = 4.4e-2.
 #[test]
 fn stresses_have_the_local_thickness() {
-    for (kind, tolerance) in [(Kind::Thin, 5e-3), (Kind::Quads, 2e-2), (Kind::Triangles, 2e-2)] {
+    for (kind, tolerance) in [(Kind::Thin, 5e-3), (Kind::Quads, 2e-2), (Kind::Triangles, 5e-2)] {
         let sheet = Sheet { sides: [1.0, 0.1], ..Sheet::unit(kind, [10, 1]) };
         let text = cantilever(&sheet, "{ kind = \"expression\", text = \"0.02*(1 - 0.5*x)\" }")
             .replace("edge_force", "edge_moment")

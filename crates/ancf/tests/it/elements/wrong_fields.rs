@@ -4,18 +4,33 @@ use ancf::Model;
 
 use super::shell_fields::{CLAMP, Kind, MATERIAL, Sheet};
 
-/// What has no meaning is rejected with its place.
-#[test]
-fn wrong_fields_are_rejected() {
-    let with = |kind: Kind, keys: &str| {
-        let sheet = Sheet::unit(kind, [2, 2]);
-        let thickness = if keys.contains("thickness") { "" } else { "thickness = 0.01\n" };
-        format!(
-            "analysis = {{ kind = \"statics\" }}\n{MATERIAL}{}{CLAMP}",
-            sheet.body(&format!("{thickness}{keys}"))
-        )
+/// Text of a model whose shell has the given keys.
+fn with(kind: Kind, keys: &str) -> String {
+    let sheet = Sheet::unit(kind, [2, 2]);
+    let thickness = if keys.contains("thickness") { "" } else { "thickness = 0.01\n" };
+    format!(
+        "analysis = {{ kind = \"statics\" }}\n{MATERIAL}{}{CLAMP}",
+        sheet.body(&format!("{thickness}{keys}"))
+    )
+}
+
+fn formula(text: &str) -> String {
+    format!("thickness = {{ kind = \"expression\", text = \"{text}\" }}")
+}
+
+/// Asserts that keys of the shell, and of a contact after them, are rejected by a message with the given parts.
+fn assert_rejected(kind: Kind, keys: &str, parts: [&str; 2]) {
+    let text = match keys.split_once("\n[[contacts]]") {
+        Some((own, contact)) => with(kind, own) + "[[contacts]]" + contact,
+        None => with(kind, keys),
     };
-    let formula = |text: &str| format!("thickness = {{ kind = \"expression\", text = \"{text}\" }}");
+    let error = Model::parse(&text).unwrap_err().to_string();
+    assert!(parts.iter().all(|part| error.contains(part)), "{keys}: {error}");
+}
+
+/// A thickness without a meaning is rejected with its place.
+#[test]
+fn wrong_thicknesses_are_rejected() {
     for (kind, keys, parts) in [
         (
             Kind::Thin,
@@ -40,9 +55,18 @@ fn wrong_fields_are_rejected() {
         (
             Kind::Quads,
             "thickness = { kind = \"nodes\", values = [1, 1, 1, 1, 1, 1, -1, 1, 1] }".into(),
-            ["bodies[0].thickness", "-1"],
+            ["bodies[0].thickness", "element 2, expected a positive number"],
         ),
         (Kind::Thin, "thickness = -1".into(), ["bodies[0].thickness", "-1"]),
+    ] {
+        assert_rejected(kind, &keys, parts);
+    }
+}
+
+/// Directions without a meaning, and contacts of shells that vary, are rejected with their place.
+#[test]
+fn wrong_directions_are_rejected() {
+    for (kind, keys, parts) in [
         (
             Kind::Thin,
             "fibre_angle = { kind = \"expression\", text = \"ln(x - 2)\" }".into(),
@@ -69,12 +93,6 @@ fn wrong_fields_are_rejected() {
             ["contacts[0]", "touches obstacles only"],
         ),
     ] {
-        let text = with(kind, &keys);
-        let text = match keys.split_once("\n[[contacts]]") {
-            Some((own, contact)) => with(kind, own) + "[[contacts]]" + contact,
-            None => text,
-        };
-        let error = Model::parse(&text).unwrap_err().to_string();
-        assert!(parts.iter().all(|part| error.contains(part)), "{keys}: {error}");
+        assert_rejected(kind, &keys, parts);
     }
 }

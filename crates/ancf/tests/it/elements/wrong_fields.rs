@@ -89,7 +89,7 @@ fn wrong_directions_are_rejected() {
         ),
         (
             Kind::Thin,
-            formula("0.01*(1 + u)") + "\n[[contacts]]\nsurface_stiffness = 1",
+            formula("0.01*(1 + u)") + "\n[[contacts]]\nsurface_stiffness = 1\nwith = { kind = \"bodies\" }",
             ["contacts[0]", "touches obstacles only"],
         ),
     ] {

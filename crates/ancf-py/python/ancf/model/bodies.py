@@ -219,8 +219,7 @@ FibreAngle: TypeAlias = float | AngleField
 @checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class AxisFormula(Part):
-    """Formulas of the three components in the position x, y, z in the reference state, and in u, v of a thin
-    shell.
+    """Formulas of the components in x, y, z of the reference state, and in u, v of a thin shell.
 
     Attributes
     ----------
@@ -512,8 +511,7 @@ class ThicknessFormula(Part):
 @checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class NodalThickness(Part):
-    """Values at the nodes of the mesh of a shear-deformable shell, with the shape functions of the elements
-    in between.
+    """Values at the nodes of the mesh of a shear-deformable shell. Between them they are interpolated.
 
     Attributes
     ----------

@@ -45,7 +45,7 @@ pub enum FibreAxis {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields)]
 pub enum AxisField {
-    /// Formulas of the three components in the position x, y, z in the reference state, and in u, v of a thin shell.
+    /// Formulas of the components in x, y, z of the reference state, and in u, v of a thin shell.
     Expression {
         /// Formulas, such as `["-y", "x", "0"]` for circles about the z axis. The length of the axis has no meaning.
         #[unit(none)]

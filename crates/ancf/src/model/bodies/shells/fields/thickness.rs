@@ -32,7 +32,7 @@ pub enum ThicknessField {
         #[schemars(extend("exclusiveMinimum" = 0))]
         unit: f64,
     },
-    /// Values at the nodes of the mesh of a shear-deformable shell, with the shape functions of the elements in between.
+    /// Values at the nodes of the mesh of a shear-deformable shell. Between them they are interpolated.
     Nodes {
         /// Thickness at each node, length.
         #[unit(length)]

@@ -8,7 +8,7 @@ use crate::units::Scaled;
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(untagged)]
 pub enum FibreAngle {
-    /// Constant angle in radians.
+    /// Constant angle, in radians.
     Uniform(#[unit(radian)] f64),
     /// Angle that varies.
     Varying(AngleField),

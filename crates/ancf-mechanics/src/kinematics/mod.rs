@@ -3,7 +3,7 @@
 mod attachment;
 mod axis;
 mod body_vector;
-mod curve;
+mod curves;
 mod frame;
 mod line;
 mod marker;
@@ -18,7 +18,9 @@ pub use attachment::{Attachment, Directions};
 pub use axis::ElementAxis;
 pub use body_vector::BodyVector;
 pub(crate) use body_vector::add_section;
-pub use curve::{ReferenceCurve, ReferenceNode, Spline};
+pub use curves::{
+    ReferenceCurve, ReferenceNode, Spline, TridiagonalRow, solve_cyclic_tridiagonal, solve_tridiagonal,
+};
 pub use frame::add_symmetric;
 pub(crate) use frame::{Real, constant, visit_skew};
 pub(crate) use line::{AxialStretch, Bend, BendBlocks};

@@ -31,7 +31,7 @@ pub(crate) fn thickness_warnings(model: &Model) -> Vec<String> {
             format!(
                 "shell `{}`: its {}thickness is {} of its longer side{by}; transverse shear, which thin shells neglect, is not negligible",
                 shell.name,
-                if shell.thickness.uniform().is_some() { "" } else { "largest " },
+                if shell.has_varying_thickness() { "largest " } else { "" },
                 short(ratio)
             )
         })

@@ -1,9 +1,9 @@
 //! Balloons of shear-deformable shells: a sphere of rubber and two discs of a thin sheet.
 
-use std::f64::consts::FRAC_PI_4;
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
 use super::sphere::{eighth, planes};
-use crate::problems::shear_shells::mesh::{MeshModel, isotropic};
+use crate::problems::shear_shells::mesh::{MeshModel, edge, isotropic, probe};
 use crate::reference::integral;
 use crate::{Findings, Plot, PlotCurve, Problem, VerificationError, solve};
 
@@ -128,22 +128,18 @@ fn balloon_of_discs(n: usize) -> Result<[f64; 2], VerificationError> {
     let keys = "membrane = { tension_field = true, slack = 1e-6 }\n".into();
     let mesh =
         MeshModel { keys, ..mesh }.with_point("top", [0.0, 0.0, 0.02]).with_point("side", [1.0, 0.0, 0.0]);
-    let mut text = format!(
-        "analysis = {{ kind = \"statics\", unstable = \"follow\" }}\n{mesh}{}[[loads]]\nkind = \"surface_pressure\"\nbody = \"s\"\npressure = {:?}\n\
-         [[joints]]\nkind = \"support\"\nname = \"rim\"\na = {{ body = \"s\", at = {{ edge = \"rim\" }} }}\ncondition = \"guided\"\naxes = [\"z\"]\n",
+    let solved = solve(&format!(
+        "analysis = {{ kind = \"statics\", unstable = \"follow\" }}\n{mesh}{}{}{}{}[[loads]]\nkind = \"surface_pressure\"\nbody = \"s\"\npressure = {:?}\n",
         planes(&["x", "y"]),
+        edge("rim", "\"guided\"\naxes = [\"z\"]"),
+        probe("top", "top"),
+        probe("side", "side"),
         1e-3 * young * thickness
-    );
-    for name in ["top", "side"] {
-        text += &format!(
-            "[[probes]]\nname = \"{name}\"\non = {{ body = \"s\", at = {{ point = \"{name}\" }} }}\n"
-        );
-    }
-    let solved = solve(&text)?;
+    ))?;
     let [top, side] = [solved.last("top.z")?, solved.last("side.x")?];
     // ∫ dt/√(1 − t⁴) and ∫ t² dt/√(1 − t⁴) from 0 to 1 with t = sin φ.
-    let length = integral(|x| (1.0 + x.sin().powi(2)).sqrt().recip(), 0.0, 2.0 * FRAC_PI_4);
-    let height = integral(|x| x.sin().powi(2) / (1.0 + x.sin().powi(2)).sqrt(), 0.0, 2.0 * FRAC_PI_4);
+    let length = integral(|x| (1.0 + x.sin().powi(2)).sqrt().recip(), 0.0, FRAC_PI_2);
+    let height = integral(|x| x.sin().powi(2) / (1.0 + x.sin().powi(2)).sqrt(), 0.0, FRAC_PI_2);
     Ok([side * length, top * length / height])
 }
 

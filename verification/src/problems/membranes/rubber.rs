@@ -3,7 +3,7 @@
 use std::f64::consts::FRAC_PI_2;
 
 use super::sphere::planes;
-use crate::problems::shear_shells::mesh::{MeshModel, isotropic};
+use crate::problems::shear_shells::mesh::{MeshModel, isotropic, probe};
 use crate::{Findings, Plot, PlotCurve, Problem, VerificationError, solve};
 
 /// Problems of this file.
@@ -50,9 +50,7 @@ fn distorted_sheet(are_triangles: bool, forces: [f64; 2]) -> Result<[f64; 2], Ve
     };
     let mesh = MeshModel::grid([3, 3], H, isotropic([3.0, 0.3, 1.0]), map).divided(|_| are_triangles);
     let mesh = MeshModel { keys: MEMBRANE.into(), ..mesh };
-    let text = format!(
-        "analysis = {{ kind = \"statics\" }}\n{mesh}[[probes]]\nname = \"p\"\non = {{ body = \"s\", at = {{ point = \"p11\" }} }}\n"
-    );
+    let text = format!("analysis = {{ kind = \"statics\" }}\n{mesh}{}", probe("p", "p11"));
     sheet(text, ["u0", "v0", "u1", "v1"], forces)
 }
 

@@ -2,7 +2,7 @@
 
 use std::f64::consts::FRAC_PI_4;
 
-use crate::problems::shear_shells::mesh::MeshModel;
+use crate::problems::shear_shells::mesh::{MeshModel, edge};
 
 /// Eighth of the unit sphere of 3 n² elements, with the edges `e0`, `e1` and `e2` in the planes of symmetry.
 pub(super) fn eighth(n: usize, thickness: f64, material: String) -> MeshModel {
@@ -25,10 +25,5 @@ pub(super) fn eighth(n: usize, thickness: f64, material: String) -> MeshModel {
 
 /// Supports by planes of symmetry at named edges.
 pub(super) fn planes(edges: &[&str]) -> String {
-    let of = |edge: &&str| {
-        format!(
-            "[[joints]]\nkind = \"support\"\nname = \"{edge}\"\na = {{ body = \"s\", at = {{ edge = \"{edge}\" }} }}\ncondition = \"symmetry\"\n"
-        )
-    };
-    edges.iter().map(of).collect()
+    edges.iter().map(|name| edge(name, "\"symmetry\"")).collect()
 }

@@ -2,11 +2,12 @@
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-use nalgebra::{Matrix2, Vector2, Vector4};
+use nalgebra::{Matrix2, Vector2};
 
 use super::model::{Edge, Element, Sheet};
 use crate::problems::models::Convergence;
 use crate::problems::shear_shells::mesh::{self, MeshModel, isotropic};
+use crate::reference::{integral, root, runge_kutta};
 use crate::{Findings, Problem, VerificationError, solve};
 
 /// Problems of this file.
@@ -75,50 +76,27 @@ fn cantilever(element: Element, n: usize) -> (Sheet, String) {
 }
 
 /// Value and slope of the deflection at the clamped end for unit values at the free end, where h = 1 − c.
-fn at_clamp(omega: f64, taper: f64, start: Vector4<f64>) -> Vector4<f64> {
-    const STEPS: usize = 4000;
-    let step = 1.0 / STEPS as f64;
+fn at_clamp(omega: f64, taper: f64, start: [f64; 4]) -> [f64; 4] {
     // w, w', E I w'', (E I w'')' along the distance from the free end, for E = ρ = h₀ = 1.
-    let rate = |s: f64, y: &Vector4<f64>| {
+    let rate = |s: f64, y: &[f64; 4]| {
         let h = 1.0 - taper * (1.0 - s);
-        Vector4::new(y[1], 12.0 * y[2] / h.powi(3), y[3], omega * omega * h * y[0])
+        [y[1], 12.0 * y[2] / h.powi(3), y[3], omega * omega * h * y[0]]
     };
-    (0..STEPS).fold(start, |y, k| {
-        let s = k as f64 * step;
-        let a = rate(s, &y);
-        let b = rate(s + 0.5 * step, &(y + a * (0.5 * step)));
-        let c = rate(s + 0.5 * step, &(y + b * (0.5 * step)));
-        let d = rate(s + step, &(y + c * step));
-        y + (a + (b + c) * 2.0 + d) * (step / 6.0)
-    })
+    runge_kutta(rate, start, 1.0, 4000)
 }
 
 /// First circular frequency of a tapered beam with unit length, E = ρ = 1 and the thickness 1 at the clamped end.
 fn frequency(taper: f64) -> f64 {
     let determinant = |omega: f64| {
-        let [a, b] = [Vector4::x(), Vector4::y()].map(|start| at_clamp(omega, taper, start));
+        let [a, b] = [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0]].map(|start| at_clamp(omega, taper, start));
         a[0] * b[1] - a[1] * b[0]
     };
-    let (mut low, mut high) = (0.5, 2.0);
-    for _ in 0..60 {
-        let middle = 0.5 * (low + high);
-        if determinant(low) * determinant(middle) > 0.0 {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
-    low
+    root(determinant, 0.5, 2.0)
 }
 
-/// Deflection 12 F/E ∫ (1 − x)²/h³ dx for F = 1 by the midpoint rule.
+/// Deflection 12 F/E ∫ (1 − x)²/h³ dx for F = 1.
 fn deflection() -> f64 {
-    const PARTS: usize = 20_000;
-    let part = |k: usize| {
-        let x = (k as f64 + 0.5) / PARTS as f64;
-        12.0 * (1.0 - x).powi(2) / (THICK * (1.0 - 0.8 * x)).powi(3)
-    };
-    (0..PARTS).map(part).sum::<f64>() / PARTS as f64
+    integral(|x| 12.0 * (1.0 - x).powi(2) / (THICK * (1.0 - 0.8 * x)).powi(3), 0.0, 1.0)
 }
 
 fn tapered() -> Result<Findings, VerificationError> {

@@ -8,18 +8,18 @@ const ROUNDING: f64 = 8.0;
 
 /// Law of the membrane forces at the integration points of an element, for covariant strains (ξξ, ηη, 2 ξη).
 ///
-/// Energies, forces and stiffness are multiplied by the areas of the points.
+/// Energies, forces and stiffness are multiplied by the areas of the points times their relative thicknesses.
 #[derive(Clone, Debug)]
 pub(crate) struct MembranePoints {
     law: MembraneLaw,
     /// Linear stiffness A of the section.
     linear: Matrix3<f64>,
-    /// Matrix from covariant components of strains to an orthonormal basis, and the area of each point.
+    /// Matrix from covariant components of strains to an orthonormal basis, and the area of each point times its relative thickness.
     points: Vec<(Matrix3<f64>, f64)>,
 }
 
 impl MembranePoints {
-    /// Creates the law at points with their matrices to an orthonormal basis and their areas; `None` for a linear law.
+    /// Creates the law at points with their matrices to an orthonormal basis and their areas times relative thicknesses; `None` for a linear law.
     pub(crate) fn new(
         section: &ShellSection,
         points: impl IntoIterator<Item = (Matrix3<f64>, f64)>,

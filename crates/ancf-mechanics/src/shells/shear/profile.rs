@@ -252,9 +252,8 @@ impl<const V: usize, const S: usize> ShearProfile<V, S> {
         let thickness = surface + sheared.nrows();
         let (mut mass, mut first) = ([[0.0; V]; V], [0.0; V]);
         for (k, (at, weight)) in shape.points().iter().enumerate() {
-            let ([weights, ..], (_, area)) = (shape.values(*at), tangents(shape, *at, reference));
-            let section = sections.get(shape.surface_points().len() + k);
-            let section = medium.section.scaled(section.map_or(1.0, |section| section.scale));
+            let ([weights, ..], ([t, s], area)) = (shape.values(*at), tangents(shape, *at, reference));
+            let section = medium.thick_law(sections.get(shape.surface_points().len() + k), [&t, &s]).section;
             let ([of_area, moment, rotary], size) = (section.inertia, weight * area);
             for a in 0..shape.nodes() {
                 first[2 * a] += size * of_area * weights[a];

@@ -2,7 +2,7 @@
 
 use crate::errors::{Finding, finding, formula_error, number};
 use crate::model::{
-    FieldDefect, FieldShell, IndexedModel, ShearShell, Shell, ShellThickness, ThicknessField,
+    Body, Contact, FieldDefect, FieldShell, IndexedModel, ShearShell, Shell, ShellThickness, ThicknessField,
 };
 
 /// Largest number of elements of a shell whose section varies: each point is checked.
@@ -70,12 +70,13 @@ fn rule_of_fields(
 
 /// Rejects contact of bodies with each other that would include a thin shell whose thickness varies.
 pub(super) fn rules_of_contacts(model: &IndexedModel<'_>) -> Vec<Finding> {
-    let rule = |(i, contact): (usize, &crate::model::Contact)| {
+    let rule = |(i, contact): (usize, &Contact)| {
         if contact.with.obstacle().is_some() {
             return None;
         }
         let bodies = contact.bodies(model).into_iter().map(|k| &model.bodies[k]);
-        let varying = bodies.filter(|body| body.layup().is_some_and(|layup| layup.varies));
+        let varies = |body: &&Body| body.field_shell().is_some_and(|shell| shell.has_varying_thickness());
+        let varying = bodies.filter(varies);
         let name = varying.map(|body| body.name()).next()?;
         let expected = "shells of constant thickness in contact with other bodies; one whose thickness varies touches obstacles only";
         let error = finding(format!("contacts[{i}]"), format!("the shell \"{name}\""), expected);

@@ -3,15 +3,18 @@
 use ancf_mechanics::shells::TopologyDefect;
 
 use super::fields;
-
 use crate::errors::{Finding, finding, is_direction, no_direction, number, quoted};
-use crate::model::{IndexedModel, MeshGroup, ShearShell, no_projection};
+use crate::model::{IndexedModel, Layup, MeshGroup, ShearShell, no_projection};
 
 /// Cosine of the angle between a given director and the normal of an element at its node below which the director is rejected.
 const TILTED: f64 = 0.7;
 
 /// Checks mesh, groups, directors and axis of a shear-deformable shell.
-pub(super) fn rules(model: &IndexedModel<'_>, path: &str, shell: &ShearShell) -> Vec<Finding> {
+pub(super) fn rules(
+    model: &IndexedModel<'_>,
+    path: &str,
+    (shell, layup): (&ShearShell, Layup<'_>),
+) -> Vec<Finding> {
     if let Some(error) = rule_of_source(path, shell) {
         return vec![error];
     }
@@ -28,9 +31,9 @@ pub(super) fn rules(model: &IndexedModel<'_>, path: &str, shell: &ShearShell) ->
     let mut findings = rules_of_groups(path, shell);
     findings.extend(rule_of_directors(path, shell));
     if findings.is_empty() {
-        findings.extend(rule_of_axis(model, path, shell));
+        findings.extend(rule_of_axis(model, path, (shell, layup)));
         findings.extend(fields::of_mesh(path, shell));
-        findings.extend(rules_of_materials(model, path, shell));
+        findings.extend(rules_of_materials(model, path, (shell, layup)));
     }
     findings
 }
@@ -209,10 +212,14 @@ fn rule_of_directors(path: &str, shell: &ShearShell) -> Option<Finding> {
 }
 
 /// Checks that the axis has a projection on the surface everywhere, and that orthotropic materials have one.
-fn rule_of_axis(model: &IndexedModel<'_>, path: &str, shell: &ShearShell) -> Option<Finding> {
+fn rule_of_axis(
+    model: &IndexedModel<'_>,
+    path: &str,
+    (shell, layup): (&ShearShell, Layup<'_>),
+) -> Option<Finding> {
     let key = format!("{path}.fibre_axis");
     let Some(axis) = &shell.fibre_axis else {
-        let plies = shell.layup().plies();
+        let plies = layup.plies();
         let is_fibrous = |name: &str| model.materials.get(name).is_some_and(|m| m.orthotropic.is_some());
         return plies.iter().any(|(name, ..)| is_fibrous(name)).then(|| {
             let expected = "an axis: the mesh of an orthotropic shell has no direction of its own";
@@ -223,8 +230,12 @@ fn rule_of_axis(model: &IndexedModel<'_>, path: &str, shell: &ShearShell) -> Opt
 }
 
 /// Checks that orthotropic materials have a transverse shear modulus.
-fn rules_of_materials(model: &IndexedModel<'_>, path: &str, shell: &ShearShell) -> Vec<Finding> {
-    let mut names: Vec<&str> = shell.layup().plies().into_iter().map(|(name, ..)| name).collect();
+fn rules_of_materials(
+    model: &IndexedModel<'_>,
+    path: &str,
+    (shell, layup): (&ShearShell, Layup<'_>),
+) -> Vec<Finding> {
+    let mut names: Vec<&str> = layup.plies().into_iter().map(|(name, ..)| name).collect();
     names.sort_unstable();
     names.dedup();
     let rule = |name: &&str| {

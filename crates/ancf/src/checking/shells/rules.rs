@@ -22,27 +22,21 @@ const ON_NODE: f64 = 1e-9;
 pub(crate) fn shells(model: &IndexedModel<'_>) -> Vec<Finding> {
     let mut findings = Vec::new();
     for (path, shell) in shells_of(model) {
-        findings.extend(rule_of_material(model, &path, shell.layup()));
+        let layup = shell.layup();
+        findings.extend(rule_of_material(model, &path, layup));
         let surface = rule_of_surface(&path, shell);
         findings.extend(fields::of_patch(&path, shell, surface.is_none()));
         findings.extend(surface);
         findings.extend(laminates::rule_of_axis(&path, shell));
-        findings.extend(laminates::layers(model, &path, shell.layup()));
-        findings.extend(rule_of_membrane(
-            model,
-            &path,
-            (&shell.name, shell.membrane.as_ref(), shell.layup()),
-        ));
+        findings.extend(laminates::layers(model, &path, layup));
+        findings.extend(rule_of_membrane(model, &path, (&shell.name, shell.membrane.as_ref(), layup)));
     }
     for (path, shell) in shear_shells_of(model) {
-        findings.extend(rule_of_material(model, &path, shell.layup()));
-        findings.extend(rule_of_membrane(
-            model,
-            &path,
-            (&shell.name, shell.membrane.as_ref(), shell.layup()),
-        ));
-        findings.extend(laminates::layers(model, &path, shell.layup()));
-        findings.extend(meshes::rules(model, &path, shell));
+        let layup = shell.layup();
+        findings.extend(rule_of_material(model, &path, layup));
+        findings.extend(rule_of_membrane(model, &path, (&shell.name, shell.membrane.as_ref(), layup)));
+        findings.extend(laminates::layers(model, &path, layup));
+        findings.extend(meshes::rules(model, &path, (shell, layup)));
     }
     findings.extend(laminates::materials(model));
     if !model.has_shells() {

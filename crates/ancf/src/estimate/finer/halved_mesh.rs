@@ -17,43 +17,39 @@ struct Division {
 /// Divides each element of a mesh into four. Old nodes keep their numbers, and groups their names and places.
 ///
 /// New nodes are on the smooth surface through the nodes that is normal to the directors there. The middle of an edge is that of the cubic
-/// whose end tangents are the projections of the edge. Plane meshes remain plane, with straight edges.
+/// whose end tangents are the projections of the edge. Plane meshes remain plane, with straight edges. Thicknesses at new nodes are those of
+/// the shape functions of the elements.
 ///
 /// Source: Vlachos, Peters, Boyd & Mitchell (2001).
-pub(super) fn halved_mesh(shell: &ShearShell) -> ElementMesh {
-    let mut division = Division::of(shell, Vec::new());
+pub(super) fn halved_mesh(shell: &ShearShell) -> (ElementMesh, ShellThickness) {
+    let values = match &shell.thickness {
+        ShellThickness::Varying(ThicknessField::Nodes { values }) => values.clone(),
+        _ => Vec::new(),
+    };
+    let (points, directors) = (shell.points(), shell.unit_directors());
+    let mut division = Division { points, directors, middles: HashMap::new(), values };
     let elements = shell.mesh.elements.iter().flat_map(|element| division.divide(element)).collect();
     let groups = shell.mesh.groups.iter().map(|(name, group)| (name.clone(), division.group(group)));
     let directors = if shell.mesh.directors.is_empty() { &[] } else { division.directors.as_slice() };
     let array = |vector: &Vector3<f64>| <[f64; 3]>::from(*vector);
-    ElementMesh {
+    let mesh = ElementMesh {
         file: None,
         scale: None,
         nodes: division.points.iter().map(array).collect(),
         elements,
         directors: directors.iter().map(array).collect(),
         groups: groups.collect(),
-    }
-}
-
-/// Thickness on the divided mesh. Values at new nodes are those of the shape functions of the elements.
-pub(super) fn halved_thickness(shell: &ShearShell) -> ShellThickness {
-    let ShellThickness::Varying(ThicknessField::Nodes { values }) = &shell.thickness else {
-        return shell.thickness.clone();
     };
-    let mut division = Division::of(shell, values.clone());
-    for element in &shell.mesh.elements {
-        division.divide(element);
-    }
-    ShellThickness::Varying(ThicknessField::Nodes { values: division.values })
+    let thickness = match &shell.thickness {
+        ShellThickness::Varying(ThicknessField::Nodes { .. }) => {
+            ShellThickness::Varying(ThicknessField::Nodes { values: division.values })
+        }
+        given => given.clone(),
+    };
+    (mesh, thickness)
 }
 
 impl Division {
-    /// Division of a shell before its first element.
-    fn of(shell: &ShearShell, values: Vec<f64>) -> Self {
-        Self { points: shell.points(), directors: shell.unit_directors(), middles: HashMap::new(), values }
-    }
-
     /// Elements of a quarter of the size, with the orientation and the first corners of the element.
     fn divide(&mut self, element: &ElementNodes) -> Vec<ElementNodes> {
         match *element {
@@ -174,7 +170,7 @@ mod tests {
             if is_exact {
                 mesh.directors = mesh.nodes.iter().map(|[x, _, z]| [*x, 0.0, *z]).collect();
             }
-            let halved = halved_mesh(&shell(mesh));
+            let (halved, _) = halved_mesh(&shell(mesh));
             let far = halved.nodes.iter().map(|[x, _, z]| (x.hypot(*z) - 1.0).abs()).fold(0.0, f64::max);
             let turned = halved.directors.iter().zip(&halved.nodes);
             let turn = turned.map(|([a, _, c], [x, _, z])| (a * z - c * x).abs()).fold(0.0, f64::max);
@@ -211,7 +207,7 @@ mod tests {
             .into(),
             ..ElementMesh::default()
         };
-        let (given, halved) = (shell(mesh.clone()), shell(halved_mesh(&shell(mesh))));
+        let (given, halved) = (shell(mesh.clone()), shell(halved_mesh(&shell(mesh)).0));
         assert_eq!((halved.mesh.nodes.len(), halved.mesh.elements.len()), (12, 8));
         assert!((halved.area() - given.area()).abs() < 1e-14 && halved.defect().is_none());
         assert!(halved.mesh.nodes.iter().all(|node| node[2] == 2.0));

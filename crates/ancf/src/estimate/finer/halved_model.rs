@@ -1,4 +1,4 @@
-use super::halved_mesh::{halved_mesh, halved_thickness};
+use super::halved_mesh::halved_mesh;
 use crate::assembly::Assembly;
 use crate::errors::ModelError;
 use crate::model::{At, Body, Model, Probe, ShearShell};
@@ -49,9 +49,7 @@ pub(in crate::estimate) fn halved(model: &Model) -> Model {
         match body {
             Body::Beam(_) | Body::Cable(_) => body.set_elements(body.elements().saturating_mul(2)),
             Body::Shell(shell) => shell.elements = shell.elements.map(|count| count.saturating_mul(2)),
-            Body::ShearShell(shell) => {
-                (shell.mesh, shell.thickness) = (halved_mesh(shell), halved_thickness(shell));
-            }
+            Body::ShearShell(shell) => (shell.mesh, shell.thickness) = halved_mesh(shell),
             Body::Rigid(_) | Body::Mass(_) => {}
         }
     }

@@ -55,7 +55,7 @@ pub struct Shell {
 impl Shell {
     /// Thickness, material and layers.
     pub fn layup(&self) -> Layup<'_> {
-        let (thickness, varies) = (self.thickness_range().mean, self.thickness.uniform().is_none());
+        let (thickness, varies) = (self.thickness_range().mean, self.has_varying_thickness());
         Layup { thickness, varies, material: &self.material, layers: &self.layers }
     }
 

@@ -1,5 +1,4 @@
-use std::ops::{Mul, Sub};
-
+use ancf_mechanics::kinematics::{TridiagonalRow, solve_cyclic_tridiagonal, solve_tridiagonal};
 use nalgebra::Vector3;
 
 /// Surface through a grid of points: a cubic spline along each of two directions, twice continuously differentiable.
@@ -95,7 +94,7 @@ impl Direction {
         let h: Vec<f64> = self.knots.windows(2).map(|pair| pair[1] - pair[0]).collect();
         let means: Vec<_> = values.windows(2).zip(&h).map(|(pair, h)| (pair[1] - pair[0]) / *h).collect();
         // Continuous second derivatives between two spans.
-        let smooth = |[before, after]: [usize; 2]| Row {
+        let smooth = |[before, after]: [usize; 2]| TridiagonalRow {
             lower: h[after],
             diagonal: 2.0 * (h[before] + h[after]),
             upper: h[before],
@@ -104,7 +103,8 @@ impl Direction {
         let last = values.len() - 1;
         let inner = (1..last).map(|i| smooth([i - 1, i]));
         if self.is_closed {
-            let mut slopes = solve_cyclic(std::iter::once(smooth([last - 1, 0])).chain(inner).collect());
+            let mut slopes =
+                solve_cyclic_tridiagonal(std::iter::once(smooth([last - 1, 0])).chain(inner).collect());
             slopes.push(slopes[0]);
             return slopes;
         }
@@ -119,65 +119,13 @@ impl Direction {
         };
         let [next, before] = [1.min(last - 1), last.saturating_sub(2)];
         let [diagonal, upper, own, other] = end(0, next);
-        let first = Row { lower: 0.0, diagonal, upper, right: means[0] * own + means[next] * other };
+        let first =
+            TridiagonalRow { lower: 0.0, diagonal, upper, right: means[0] * own + means[next] * other };
         let [diagonal, lower, own, other] = end(last - 1, before);
         let right = means[last - 1] * own + means[before] * other;
         let rows = std::iter::once(first).chain(inner);
-        solve(rows.chain([Row { lower, diagonal, upper: 0.0, right }]).collect())
+        solve_tridiagonal(rows.chain([TridiagonalRow { lower, diagonal, upper: 0.0, right }]).collect())
     }
-}
-
-/// Row of a tridiagonal system with its right-hand side.
-#[derive(Clone, Copy, Debug)]
-struct Row<T> {
-    lower: f64,
-    diagonal: f64,
-    upper: f64,
-    right: T,
-}
-
-/// Solves a tridiagonal system by elimination without pivoting. The pivots of a spline are positive.
-fn solve<T: Copy + Sub<Output = T> + Mul<f64, Output = T>>(mut rows: Vec<Row<T>>) -> Vec<T> {
-    for i in 1..rows.len() {
-        let before = rows[i - 1];
-        let factor = rows[i].lower / before.diagonal;
-        rows[i].diagonal -= factor * before.upper;
-        rows[i].right = rows[i].right - before.right * factor;
-    }
-    for i in (0..rows.len()).rev() {
-        let next = rows.get(i + 1).map(|next| next.right * rows[i].upper);
-        let row = &mut rows[i];
-        row.right = next.map_or(row.right, |next| row.right - next) * row.diagonal.recip();
-    }
-    rows.into_iter().map(|row| row.right).collect()
-}
-
-/// Solves a system whose first row has its lower coefficient in the last column, and whose last row has its upper coefficient in the
-/// first column.
-///
-/// Source: Sherman & Morrison (1950), for the two corners.
-fn solve_cyclic(mut rows: Vec<Row<Vector3<f64>>>) -> Vec<Vector3<f64>> {
-    let last = rows.len() - 1;
-    let (corners, pivot) = ([rows[0].lower, rows[last].upper], -rows[0].diagonal);
-    rows[0].diagonal -= pivot;
-    rows[last].diagonal -= corners[0] * corners[1] / pivot;
-    let of_corner = |i: usize| if i == 0 { pivot } else { corners[1] * f64::from(u8::from(i == last)) };
-    let column = solve(
-        rows.iter()
-            .enumerate()
-            .map(|(i, row)| Row {
-                lower: row.lower,
-                diagonal: row.diagonal,
-                upper: row.upper,
-                right: of_corner(i),
-            })
-            .collect(),
-    );
-    let mut solution = solve(rows);
-    let factor = corners[0] / pivot;
-    let part = (solution[0] + solution[last] * factor) / (1.0 + column[0] + column[last] * factor);
-    solution.iter_mut().zip(column).for_each(|(x, column)| *x -= part * column);
-    solution
 }
 
 /// Span of a parameter, with the values and derivatives of Hermite's functions of its ends (value, slope; value, slope).

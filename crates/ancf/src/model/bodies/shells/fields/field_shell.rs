@@ -38,6 +38,11 @@ pub(crate) trait FieldShell {
         self.given().are_uniform()
     }
 
+    /// True if the thickness is a field.
+    fn has_varying_thickness(&self) -> bool {
+        self.given().thickness.uniform().is_none()
+    }
+
     /// Fields for evaluation.
     ///
     /// # Errors

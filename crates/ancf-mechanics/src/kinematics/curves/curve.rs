@@ -1,8 +1,9 @@
 use std::f64::consts::TAU;
 
-use nalgebra::{DMatrix, Vector3};
+use nalgebra::Vector3;
 
-use super::quadrature::gauss;
+use super::tridiagonal::{TridiagonalRow, solve_tridiagonal};
+use crate::kinematics::quadrature::gauss;
 
 /// Point of a reference axis with the orthonormal directions of x (the tangent), y and z.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -161,19 +162,19 @@ impl Spline {
         if chords.is_empty() || chords.iter().any(|chord| !chord.is_normal()) {
             return None;
         }
-        let n = points.len();
-        let mut matrix = DMatrix::identity(n, n);
-        let mut sides = DMatrix::zeros(n, 3);
-        for i in 1..n - 1 {
+        // No curvature at the ends.
+        let end = TridiagonalRow { lower: 0.0, diagonal: 1.0, upper: 0.0, right: Vector3::zeros() };
+        let inner = (1..points.len() - 1).map(|i| {
             let (before, after) = (chords[i - 1], chords[i]);
-            matrix[(i, i - 1)] = before;
-            matrix[(i, i)] = 2.0 * (before + after);
-            matrix[(i, i + 1)] = after;
-            let bend = ((points[i + 1] - points[i]) / after - (points[i] - points[i - 1]) / before) * 6.0;
-            sides.row_mut(i).copy_from(&bend.transpose());
-        }
-        let solved = matrix.lu().solve(&sides)?;
-        let second_derivatives = (0..n).map(|i| solved.fixed_view::<1, 3>(i, 0).transpose()).collect();
+            let bend = (points[i + 1] - points[i]) / after - (points[i] - points[i - 1]) / before;
+            TridiagonalRow {
+                lower: before,
+                diagonal: 2.0 * (before + after),
+                upper: after,
+                right: bend * 6.0,
+            }
+        });
+        let second_derivatives = solve_tridiagonal([end].into_iter().chain(inner).chain([end]).collect());
         let mut spline = Self { points, second_derivatives, chords, arcs: vec![0.0] };
         for i in 0..spline.chords.len() {
             for part in 0..PARTS {

@@ -39,7 +39,9 @@ impl IndexedModel<'_> {
             let recorded = RecordedCoordinate { source: Source::Gas(pressure), coordinate: Some(coordinate) };
             let mut own = JointEquations::new(EquationOwner::Gas, &gas.name, coordinate, multiplier);
             (own.coordinates.end, own.multipliers.end) = (coordinate + 1, multiplier + 1);
-            own.parts.extend(terms.into_iter().chain([last]).map(|term| Part { term, reacts: false }));
+            own.parts.extend(
+                terms.into_iter().chain([last]).map(|term| Part { reacts: false, ..Part::new(term) }),
+            );
             own.recorded.push(recorded);
             all.push(own);
             (coordinate, multiplier) = (coordinate + 1, multiplier + 1);

@@ -13,8 +13,8 @@ use nalgebra::Vector3;
 
 use crate::errors::{ModelError, ModelErrors, quoted};
 use crate::joints::{
-    Coupled, Coupling, End, Gap, Ground, Joint, JointBuilder, JointCoordinate, JointEnds, JointEquations,
-    JointKind, JointStateLaw, LinearRows, Numbering, Part, RecordedCoordinate, Source,
+    Coupled, Coupling, End, Gap, Ground, Joint, JointBody, JointBuilder, JointCoordinate, JointEnds,
+    JointEquations, JointKind, JointStateLaw, LinearRows, Numbering, Part, RecordedCoordinate, Source,
 };
 use crate::model::{Body, IndexedModel, Model, Place, Probe, Quantity, TimeMode};
 use crate::units::{Dimension, ScaleChoice, Scales};
@@ -117,7 +117,7 @@ impl IndexedModel<'_> {
         let found: Vec<_> = found.collect();
         let mut errors = Vec::new();
         for (own, (terms, unknown)) in equations.iter_mut().zip(found) {
-            own.parts.extend(terms.into_iter().map(|term| Part { term: Box::new(term), reacts: true }));
+            own.parts.extend(terms.into_iter().map(|term| Part::new(Box::new(term))));
             errors.extend(unknown);
         }
         (equations, errors)
@@ -219,26 +219,13 @@ impl IndexedModel<'_> {
             },
             End::Ground | End::Point(_) => self.is_continuum(place),
         };
-        let shells = |place: &Place| {
+        let body = |place: &Place| {
             let index = self.body_of(place);
-            let body = &bodies[index].1;
-            (body.shell(), body.shear_shell().zip(self.bodies[index].shear_shell()))
+            JointBody { data: &self.bodies[index], terms: &bodies[index].1 }
         };
-        let (shell, shear_shell) = shells(place);
-        let (other_shell, other_shear_shell) =
-            if let End::Place(other) = stated { shells(other) } else { (None, None) };
-        let ends = JointEnds {
-            a: &a,
-            b: &b,
-            stated,
-            beam,
-            shell,
-            shear_shell,
-            other_shell,
-            other_shear_shell,
-            edge_rows,
-            all_gradients,
-        };
+        let other = if let End::Place(other) = stated { Some(body(other)) } else { None };
+        let ends =
+            JointEnds { a: &a, b: &b, stated, beam, body: body(place), other, edge_rows, all_gradients };
         let mut builder = JointBuilder::new(joint.name(), ends, numbering, coupled);
         joint.build(&mut builder);
         builder.finish()

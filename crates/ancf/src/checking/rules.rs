@@ -135,8 +135,7 @@ fn rule_of_joint(
     let length = body_a.length().max(body_b.length());
     let length = if length > 0.0 { length } else { model.length() };
     let near = (body_a.arc_length(&a.at) - body_b.arc_length(&b.at)).abs() <= ON_AXIS * length;
-    // Both edges of a seam of one shell have the same points. Edges move with any point of a rigid body.
-    if matches!(joint, Joint::Seam(_) | Joint::Support(_)) {
+    if joint.kind().is_distributed() {
         return None;
     }
     if path_a == path_b && near && (r_a - r_b).norm() <= ON_AXIS * length {

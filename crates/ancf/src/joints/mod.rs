@@ -34,7 +34,8 @@ pub use parts::{
     PrescribedMotion, RecordedCoordinate,
 };
 pub(crate) use parts::{
-    EquationOwner, Gap, JointEnds, JointEquations, JointStateLaw, LinearRows, Numbering, Part, Source,
+    EquationOwner, Gap, JointBody, JointEnds, JointEquations, JointStateLaw, LinearRows, Numbering, Part,
+    Source,
 };
 pub use planar::Planar;
 pub use point_on_line::PointOnLine;
@@ -42,5 +43,5 @@ pub use prismatic::Prismatic;
 pub use revolute::Revolute;
 pub use slide::Slide;
 pub use spherical::Spherical;
-pub use surface::{Seam, SeamCondition, Support, SupportCondition, SupportedAxis};
+pub use surface::{Seam, SeamCondition, Support, SupportCondition, SupportedAxis, Tie};
 pub use universal::Universal;

@@ -1,4 +1,4 @@
-//! Flat sheets of thin and of shear-deformable shells: laminates, motions, rotation, flight.
+//! Flat sheets of thin and of shear-deformable shells: laminates, fields, stiffeners, motions, rotation, flight.
 
 mod fields;
 mod flight;
@@ -6,9 +6,16 @@ mod laminates;
 mod model;
 mod pendulums;
 mod rotation;
+mod stiffeners;
 
 use crate::Problem;
 
 /// Problems of sheets of both kinds of shells.
-pub(super) const FAMILIES: [&[Problem]; 5] =
-    [laminates::PROBLEMS, fields::PROBLEMS, pendulums::PROBLEMS, flight::PROBLEMS, rotation::PROBLEMS];
+pub(super) const FAMILIES: [&[Problem]; 6] = [
+    laminates::PROBLEMS,
+    fields::PROBLEMS,
+    stiffeners::PROBLEMS,
+    pendulums::PROBLEMS,
+    flight::PROBLEMS,
+    rotation::PROBLEMS,
+];

@@ -208,7 +208,8 @@ fn shell_of<'m>(model: &IndexedModel<'m>, place: &Place) -> Option<&'m Shell> {
     }
 }
 
-/// Checks that joints act on nodes of shells, and on edges only if they are supports.
+/// Checks that joints act on edges of shells only if they are supports or seams, and that at most one end of a joint is between the
+/// nodes of a thin shell.
 fn rules_of_joint(model: &IndexedModel<'_>, path: &str, joint: &Joint) -> Vec<Finding> {
     let (a, b) = joint.ends();
     let b = if let End::Place(b) = b { Some(("b", b)) } else { None };
@@ -217,7 +218,6 @@ fn rules_of_joint(model: &IndexedModel<'_>, path: &str, joint: &Joint) -> Vec<Fi
         if !is_on_shell(model, place) {
             return None;
         }
-        let key = format!("{path}.{end}.at");
         let all = match joint {
             Joint::Clamp(clamp) => clamp.fix == Some(ClampedGradients::All),
             Joint::Drive(drive) => drive.fix == Some(ClampedGradients::All),
@@ -227,24 +227,31 @@ fn rules_of_joint(model: &IndexedModel<'_>, path: &str, joint: &Joint) -> Vec<Fi
             let expected = "\"section\": the frame of a shell follows its tangents or its director";
             return Some(finding(format!("{path}.fix"), "\"all\" on a shell", expected));
         }
-        if matches!(place.at, At::Edge(_)) {
-            let expected = "a node; edges have joints of kind \"support\" and \"seam\"";
-            return (!matches!(joint, Joint::Support(_) | Joint::Seam(_)))
-                .then(|| finding(key, "an edge", expected));
-        }
-        let (shell, at) = (shell_of(model, place)?, place.at.on_surface()?);
-        let off = |k: usize| {
-            let x = at[k] * f64::from(shell.elements[k]);
-            (x - x.round()).abs() > ON_NODE
-        };
-        (off(0) || off(1)).then(|| {
-            let found = format!("[{}, {}], which is no node", number(at[0]), number(at[1]));
-            let [n, m] = shell.elements;
-            let expected = format!("a node of the {n} x {m} elements: multiples of 1/{n} and 1/{m}");
-            finding(key, found, expected).rests_on(["bodies".into()])
-        })
+        let expected = "a point; edges have joints of kind \"support\" and \"seam\"";
+        (matches!(place.at, At::Edge(_)) && !joint.kind().is_distributed())
+            .then(|| finding(format!("{path}.{end}.at"), "an edge", expected))
     };
-    ends.filter_map(of_end).collect()
+    let mut findings: Vec<Finding> = ends.clone().filter_map(of_end).collect();
+    if joint.kind().is_distributed() {
+        return findings;
+    }
+    // The coordinates of two elements are all that an equation can have.
+    if let (Some(_), Some(second)) = (between_nodes(model, a), b.and_then(|(_, b)| between_nodes(model, b))) {
+        let expected = "a node of one of both shells: multiples of 1/n and 1/m for n x m elements";
+        findings.push(finding(format!("{path}.b.at"), second, expected).rests_on(["bodies".into()]));
+    }
+    findings
+}
+
+/// Description of a place between the nodes of a thin shell; `None` for other places.
+fn between_nodes(model: &IndexedModel<'_>, place: &Place) -> Option<String> {
+    let (shell, at) = (shell_of(model, place)?, place.at.on_surface()?);
+    let is_off = |k: usize| {
+        let x = at[k] * f64::from(shell.elements[k]);
+        (x - x.round()).abs() > ON_NODE
+    };
+    (is_off(0) || is_off(1))
+        .then(|| format!("[{}, {}], between nodes as the place `a`", number(at[0]), number(at[1])))
 }
 
 /// Checks that point loads act on points of shells, and loads of shells on shells.

@@ -89,7 +89,7 @@ impl JointBuilder<'_> {
         for (k, slide) in
             SlideConstraint::along(axes, &self.a().point, own, start, first).into_iter().enumerate()
         {
-            self.equations.parts.push(Part { term: Box::new(slide), reacts: k == 0 });
+            self.equations.parts.push(Part { reacts: k == 0, ..Part::new(Box::new(slide)) });
         }
         self.act(own, actions);
         self.rub_along(own, actions, |_| Bearing::Curve);

@@ -13,7 +13,7 @@ use nalgebra::Vector3;
 
 use super::coupling::JointCoordinate;
 use super::end::{ClampedGradients, End, Ground, reference};
-use super::equations::{EquationOwner, JointEnds, JointEquations, Numbering, Part};
+use super::equations::{EquationOwner, JointBody, JointEnds, JointEquations, Numbering, Part};
 use super::term::JointTerm;
 use crate::model::{ShearShell, TimeFunction, TimeMode};
 
@@ -66,12 +66,17 @@ impl<'a> JointBuilder<'a> {
 
     /// Mesh of the first body, if it is a thin shell.
     pub fn shell(&self) -> Option<&'a ShellMesh> {
-        self.ends.shell
+        self.ends.body.terms.shell()
     }
 
     /// Mesh and data of the first body, if it is a shear-deformable shell.
     pub(crate) fn shear_shell(&self) -> Option<(&'a ShearShellMesh, &'a ShearShell)> {
-        self.ends.shear_shell
+        self.ends.body.shear_shell()
+    }
+
+    /// Bodies of both ends, if both are on bodies.
+    pub(crate) fn bodies(&self) -> Option<[JointBody<'a>; 2]> {
+        Some([self.ends.body, self.ends.other?])
     }
 
     /// Attachment of the second end, if it is a body.
@@ -81,12 +86,12 @@ impl<'a> JointBuilder<'a> {
 
     /// Mesh of the second body, if it is a thin shell.
     pub(crate) fn other_shell(&self) -> Option<&'a ShellMesh> {
-        self.ends.other_shell
+        self.ends.other.and_then(|body| body.terms.shell())
     }
 
     /// Mesh and data of the second body, if it is a shear-deformable shell.
     pub(crate) fn other_shear_shell(&self) -> Option<(&'a ShearShellMesh, &'a ShearShell)> {
-        self.ends.other_shear_shell
+        self.ends.other.and_then(|body| body.shear_shell())
     }
 
     /// Adds a linear equation of nodal vectors of the first body and of others, unless the equations of edges that share its nodes
@@ -137,7 +142,7 @@ impl<'a> JointBuilder<'a> {
 
     /// Adds a term.
     pub fn add(&mut self, term: impl JointTerm + 'static) {
-        self.equations.parts.push(Part { term: Box::new(term), reacts: true });
+        self.equations.parts.push(Part::new(Box::new(term)));
     }
 
     /// Constrains the points of both ends to coincide; their gap is kept, closed, or closed with the load factor.
@@ -149,6 +154,14 @@ impl<'a> JointBuilder<'a> {
             }
             _ => CoincidenceConstraint::points(&self.a().point, &self.b().point, first),
         });
+    }
+
+    /// Constrains two points of the bodies to move together, with the moment of the reaction about the first end.
+    pub(crate) fn tie_points(&mut self, a: &Attachment, b: &Attachment) {
+        let first = self.multipliers(3);
+        let term = Box::new(CoincidenceConstraint::points(&a.point, &b.point, first));
+        let arm = Some([a.point.clone(), self.a().point.clone()]);
+        self.equations.parts.push(Part { arm, ..Part::new(term) });
     }
 
     /// Prescribes the rotation of the first end about an axis.

@@ -4,17 +4,18 @@ use std::fmt;
 use std::ops::Range;
 use std::sync::Arc;
 
+use ancf_mechanics::bodies::BodyTerms;
 use ancf_mechanics::constraints::{CoincidenceConstraint, ConstraintGroup, Wrench};
-use ancf_mechanics::kinematics::{Attachment, ElementAxis};
+use ancf_mechanics::kinematics::{Attachment, BodyVector, ElementAxis};
 use ancf_mechanics::laws::{LawUnits, StateLaw};
-use ancf_mechanics::shells::{ShearShellMesh, ShellMesh};
+use ancf_mechanics::shells::ShearShellMesh;
 use ancf_solver::equations::{State, Term};
 use nalgebra::Vector3;
 
 use super::end::End;
 use super::recorded_coordinate::RecordedCoordinate;
 use super::term::JointTerm;
-use crate::model::{LawSignal, ShearShell, TimeMode};
+use crate::model::{Body, LawSignal, ShearShell, TimeMode};
 use crate::units::Scales;
 
 /// Ends of a joint as attachments to bodies.
@@ -25,19 +26,29 @@ pub(crate) struct JointEnds<'a> {
     pub(crate) stated: &'a End,
     /// Element axes of the second body and the arc length there, for points that slide along it.
     pub(crate) beam: Option<(Vec<ElementAxis>, f64)>,
-    /// Mesh of the first body, if it is a thin shell.
-    pub(crate) shell: Option<&'a ShellMesh>,
-    /// Mesh and data of the first body, if it is a shear-deformable shell.
-    pub(crate) shear_shell: Option<(&'a ShearShellMesh, &'a ShearShell)>,
-    /// Mesh of the second body, if it is a thin shell.
-    pub(crate) other_shell: Option<&'a ShellMesh>,
-    /// Mesh and data of the second body, if it is a shear-deformable shell.
-    pub(crate) other_shear_shell: Option<(&'a ShearShellMesh, &'a ShearShell)>,
+    /// Body of the first end.
+    pub(crate) body: JointBody<'a>,
+    /// Body of the second end, if it is on a body.
+    pub(crate) other: Option<JointBody<'a>>,
     /// Linear equations of the edges of shells so far.
     pub(crate) edge_rows: &'a RefCell<LinearRows>,
     /// Default of [`ClampedGradients`](super::ClampedGradients): true for a beam of the continuum formulation on the ground, on a rigid body, or on another
     /// one with parallel sections. Elsewhere equal gradients would couple strains of different directions or laws.
     pub(crate) all_gradients: bool,
+}
+
+/// Body of an end of a joint: its data, and its coordinates and terms.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct JointBody<'a> {
+    pub(crate) data: &'a Body,
+    pub(crate) terms: &'a BodyTerms,
+}
+
+impl<'a> JointBody<'a> {
+    /// Mesh and data of a shear-deformable shell.
+    pub(crate) fn shear_shell(&self) -> Option<(&'a ShearShellMesh, &'a ShearShell)> {
+        self.terms.shear_shell().zip(self.data.shear_shell())
+    }
 }
 
 /// First unused coordinate and multiplier, and what is common to all joints.
@@ -77,6 +88,23 @@ pub(crate) struct Part {
     pub(crate) term: Box<dyn JointTerm>,
     /// True if the reaction of the joint contains the reaction of the term.
     pub(crate) reacts: bool,
+    /// Point on which the reaction of the term acts and that to which the moment of the joint refers, if they differ.
+    pub(crate) arm: Option<[BodyVector; 2]>,
+}
+
+impl Part {
+    /// Term whose reaction acts at the point of the joint.
+    pub(crate) fn new(term: Box<dyn JointTerm>) -> Self {
+        Self { term, reacts: true, arm: None }
+    }
+
+    /// Force and moment on the end `a`.
+    fn reaction(&self, s: &State) -> Wrench {
+        let Wrench { force, moment } = self.term.reaction(s);
+        let arm =
+            self.arm.as_ref().map_or_else(Vector3::zeros, |[point, about]| point.value(s) - about.value(s));
+        Wrench { force, moment: moment + arm.cross(&force) }
+    }
 }
 
 /// Owner of equations with coordinates and multipliers of their own.
@@ -206,7 +234,7 @@ impl JointEquations {
     /// Force and moment that the joint exerts on its end `a`.
     pub(crate) fn reaction(&self, s: &State) -> Wrench {
         let position = self.position.iter().map(|position| position.reaction(s));
-        let parts = self.parts.iter().filter(|part| part.reacts).map(|part| part.term.reaction(s));
+        let parts = self.parts.iter().filter(|part| part.reacts).map(|part| part.reaction(s));
         position.chain(parts).fold(Wrench::default(), |sum, part| Wrench {
             force: sum.force + part.force,
             moment: sum.moment + part.moment,

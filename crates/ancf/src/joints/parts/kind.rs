@@ -117,6 +117,11 @@ pub trait JointKind: JointObject + fmt::Debug + Send + Sync {
         false
     }
 
+    /// True if the joint acts along edges or along a body: its places stand for them and need not coincide.
+    fn is_distributed(&self) -> bool {
+        false
+    }
+
     /// Symbol in figures.
     fn symbol(&self) -> JointSymbol {
         JointSymbol::Marker

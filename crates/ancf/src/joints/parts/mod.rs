@@ -22,7 +22,7 @@ pub use coupling::{Coupled, Coupling, JointCoordinate};
 pub use end::{ClampedGradients, End, Ground};
 pub use equations::GapClosure;
 pub(crate) use equations::{
-    EquationOwner, Gap, JointEnds, JointEquations, JointStateLaw, LinearRows, Numbering, Part,
+    EquationOwner, Gap, JointBody, JointEnds, JointEquations, JointStateLaw, LinearRows, Numbering, Part,
 };
 pub use friction::{AngularFriction, JointFriction, LinearFriction};
 pub use kind::{JointContext, JointKind, JointObject, JointSymbol};

@@ -1,4 +1,4 @@
-//! Supports and seams of shells.
+//! Supports and seams of shells, and beams along shells.
 
 mod condition;
 mod edge_equations;
@@ -7,7 +7,11 @@ mod mesh_seam;
 mod seam;
 mod seam_equations;
 mod support;
+mod tie;
+mod tie_equations;
+mod tie_feet;
 
 pub use condition::{SeamCondition, SupportCondition, SupportedAxis};
 pub use seam::Seam;
 pub use support::Support;
+pub use tie::Tie;

@@ -105,6 +105,10 @@ impl JointKind for Seam {
         add_equations(builder, [a.edge(), b.edge()], self.condition);
     }
 
+    fn is_distributed(&self) -> bool {
+        true
+    }
+
     fn check(&self, path: &str, context: &dyn JointContext) -> Vec<Finding> {
         let Some(edges) = self.edges() else {
             let expected = "edges of shells at both ends, such as { edge = \"u_start\" }";

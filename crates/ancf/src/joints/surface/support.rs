@@ -69,6 +69,10 @@ impl JointKind for Support {
         add_equations(builder, &self.a.at, self.condition, &self.axes);
     }
 
+    fn is_distributed(&self) -> bool {
+        true
+    }
+
     fn check(&self, path: &str, context: &dyn JointContext) -> Vec<Finding> {
         let Some(body) = context.body(&self.a) else { return Vec::new() };
         if let Body::ShearShell(shell) = body {

@@ -21,4 +21,5 @@ mod shells;
 mod shells_on_bodies;
 mod spline_shells;
 mod thick_bending;
+mod ties;
 mod wrong_fields;

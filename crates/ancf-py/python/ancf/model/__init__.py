@@ -141,6 +141,7 @@ from ancf.model.joints import (
     Support,
     SupportCondition,
     SupportedAxis,
+    Tie,
     Universal,
 )
 from ancf.model.loads import (
@@ -348,6 +349,7 @@ __all__ = [
     "SweptSurface",
     "ThicknessField",
     "ThicknessFormula",
+    "Tie",
     "TimeFunction",
     "TimeTable",
     "Tube",

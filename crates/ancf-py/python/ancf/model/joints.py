@@ -47,6 +47,7 @@ __all__ = [
     "Support",
     "SupportCondition",
     "SupportedAxis",
+    "Tie",
     "Universal",
 ]
 
@@ -649,6 +650,37 @@ class Seam(Part):
 
 @checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
+class Tie(Part):
+    """Tie of a beam or a cable to a shell along its whole length.
+
+    The beam is a stiffener in the middle surface or at a distance from it, with full composite action. Its
+    sections rotate with the shell about its axis, on a shear-deformable shell also across it.
+
+    The elements of a beam on a thin shell are no longer than those of the shell. The nodes of a beam on a
+    shear-deformable shell are over nodes of the mesh along a line of edges.
+
+    Attributes
+    ----------
+    name
+        Name in outputs and messages.
+    a
+        Beam or cable, on which the reaction acts. Its moment refers to this place.
+    b
+        Shell, at any of its places.
+
+    """
+
+    _form = "Joint"
+    _tag = "kind"
+    kind: ClassVar[Literal["tie"]] = "tie"
+
+    name: str = field(kw_only=False)
+    a: Place
+    b: JointEnd
+
+
+@checked_arguments
+@dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Sensor(Part):
     """Sensor between two places: records their distance, a displacement or an angle, without a force.
 
@@ -698,6 +730,7 @@ Joint: TypeAlias = (
     | MatrixBushing
     | Support
     | Seam
+    | Tie
     | Sensor
 )
 """Joint between a body and the ground or another body.

@@ -89,14 +89,14 @@ fn ties_are_invariant() {
                 sheet.body("thickness = 0.02"),
                 rib("beam", [from, to], z, 4, ""),
                 tie(at, &sheet),
-                -1.6 * z.signum(),
+                -6.0 * z.signum(),
                 sheet.corner([1, 0])
             );
             let run = Run::of(&parse(&text));
             ["p.x", "p.y", "p.z"].map(|name| run.last(name))
         };
         let first = tip([0.0, 1.0], 0.025, "\"start\"");
-        assert!(first[2] < -0.3, "{kind:?}: a small deflection {first:?}");
+        assert!(first[2] < -0.4, "{kind:?}: a small deflection {first:?}");
         for (name, other, sign) in [
             ("reversed", tip([1.0, 0.0], 0.025, "\"end\""), 1.0),
             ("other place", tip([0.0, 1.0], 0.025, "0.3"), 1.0),
@@ -124,7 +124,8 @@ fn stiffened_plates_in_flight_conserve_momenta_and_energy() {
             rib("beam", [0.0, 1.0], -0.025, 4, motion),
             tie("\"start\"", &sheet),
             sheet.corner([1, 1])
-        );
+        )
+        .replace("young = 1e6", "young = 2e4");
         let run = Run::of(&parse(&text));
         let (kinetic, strain) = (run.column("kinetic"), run.column("strain"));
         let total: Vec<f64> = kinetic.iter().zip(strain).map(|(a, b)| a + b).collect();
@@ -209,7 +210,7 @@ fn wrong_ties_are_rejected() {
         };
         let own = tie("\"start\"", &sheet);
         let over = "the nearest";
-        assert_rejected(&model(&rib("beam", [0.0, 1.2], -0.025, 4, ""), &own), &["joints[1]", over]);
+        assert_rejected(&model(&rib("beam", [0.0, 1.2], -0.025, 6, ""), &own), &["joints[1]", over]);
         let aside = rib("beam", [0.0, 1.0], -0.025, 4, "").replace("0.125", "0.3");
         assert_rejected(&model(&aside, &own), &["joints[1]", over]);
         let expected = if kind == Kind::Thin {

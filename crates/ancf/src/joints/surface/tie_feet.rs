@@ -12,6 +12,8 @@ const NORMAL: f64 = 1e-6;
 const OVER_NODE: f64 = 0.02;
 /// Largest length of an element of the beam, relative to one of the shell.
 const LONGEST: f64 = 1.0 + 1e-6;
+/// Factor of a span from a vector between two points of a curved surface, whose length is not exact.
+const SHORTEST: f64 = 0.95;
 /// Largest number of cells in a direction among whose corners the search for the first point starts.
 const CELLS: u32 = 32;
 const ITERATIONS: usize = 400;
@@ -62,36 +64,33 @@ pub(super) fn feet(beam: &Body, shell: &Body) -> Result<Vec<Foot>, Unfit> {
 /// Closest points of a thin shell.
 fn feet_on_patch(points: &[(f64, Vector3<f64>)], shell: &Shell, length: f64) -> Result<Vec<Foot>, Unfit> {
     let mut feet: Vec<Foot> = Vec::new();
-    let [mut last, mut node]: [Option<[f64; 2]>; 2] = [None; 2];
-    let elements = shell.elements.map(f64::from);
+    let [mut last, mut node]: [Option<Closest>; 2] = [None; 2];
     for (k, (s, point)) in points.iter().enumerate() {
-        let found = closest(shell, last.unwrap_or_else(|| start(shell, point)), point);
-        let apart = found.along.norm();
-        if apart.is_nan() || apart > NORMAL * length {
+        let is_unfit = |found: &Closest| found.along.norm() > NORMAL * length || found.along.x.is_nan();
+        let near = last.map(|last| closest(shell, last.at, point)).filter(|found| !is_unfit(found));
+        // A line that passes an edge with a seam continues at the other edge.
+        let found = near.unwrap_or_else(|| closest(shell, start(shell, point), point));
+        if is_unfit(&found) {
             let [x, y, z] = <[f64; 3]>::from(*point).map(number);
             let found = format!(
                 "the point ({x}, {y}, {z}) of the beam, {} beside the nearest point of the shell",
-                number(apart)
+                number(found.along.norm())
             );
             return Err(Unfit { found, expected: "a beam over the shell along its whole length".into() });
         }
         let is_node = k % 3 == 0;
         if is_node {
-            let span = node.map_or(0.0, |node| {
-                (0..2).map(|k| (found.at[k] - node[k]).abs() * elements[k]).fold(0.0, f64::max)
-            });
+            let span = node.map_or(0.0, |node| node.span(&found, shell.elements));
             if span > LONGEST {
-                let found = format!(
-                    "an element of the beam over {} elements of the shell, number {}",
-                    number(span),
-                    k / 3
-                );
+                let (span, number_of) = (number(span), k / 3);
+                let found =
+                    format!("an element of the beam over {span} elements of the shell, number {number_of}");
                 let expected = "elements of the beam that are no longer than those of the shell".into();
                 return Err(Unfit { found, expected });
             }
-            node = Some(found.at);
+            node = Some(found);
         }
-        last = Some(found.at);
+        last = Some(found);
         let place = ShellPlace::Patch(found.at);
         feet.push(Foot { s: *s, is_node, place, normal: found.normal });
     }
@@ -99,11 +98,31 @@ fn feet_on_patch(points: &[(f64, Vector3<f64>)], shell: &Shell, length: f64) -> 
 }
 
 /// Closest point of a patch.
+#[derive(Clone, Copy, Debug)]
 struct Closest {
     at: [f64; 2],
+    point: Vector3<f64>,
+    /// Derivatives by u and v.
+    tangents: [Vector3<f64>; 2],
     normal: Vector3<f64>,
     /// Component of the arm along the surface.
     along: Vector3<f64>,
+}
+
+impl Closest {
+    /// Largest number of elements along u or v between two points: by the parameters, or by the vector between the points if the line
+    /// passes from an edge to another one.
+    fn span(&self, other: &Self, elements: [u32; 2]) -> f64 {
+        let [a, b] = self.tangents;
+        let metric = Matrix2::new(a.dot(&a), a.dot(&b), a.dot(&b), b.dot(&b));
+        let chord = other.point - self.point;
+        let change =
+            metric.try_inverse().unwrap_or_else(Matrix2::zeros) * Vector2::new(chord.dot(&a), chord.dot(&b));
+        let largest = |change: [f64; 2]| {
+            (change[0].abs() * f64::from(elements[0])).max(change[1].abs() * f64::from(elements[1]))
+        };
+        largest([0, 1].map(|k| other.at[k] - self.at[k])).min(SHORTEST * largest(change.into()))
+    }
 }
 
 /// Corner of a cell that is nearest to a point.
@@ -145,7 +164,8 @@ fn closest(shell: &Shell, from: [f64; 2], point: &Vector3<f64>) -> Closest {
     }
     let (arm, [a, b]) = values(&at);
     let normal = a.cross(&b).normalize();
-    Closest { at: at.into(), normal, along: arm - normal * arm.dot(&normal) }
+    let along = arm - normal * arm.dot(&normal);
+    Closest { at: at.into(), point: point - arm, tangents: [a, b], normal, along }
 }
 
 /// Nodes of a mesh below the nodes of a beam.

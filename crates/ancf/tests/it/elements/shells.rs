@@ -253,8 +253,8 @@ fn unsupported_combinations_are_rejected() {
         ),
         (
             analysis,
-            "[[joints]]\nkind = \"spherical\"\nname = \"b\"\na = { body = \"s\", at = [0.5, 0.5] }\n[analysis]",
-            "joints[1].a.at",
+            "[[joints]]\nkind = \"spherical\"\nname = \"b\"\na = { body = \"s\", at = [0.5, 0.5] }\nb = { body = \"s\", at = [0.5, 0.4] }\n[analysis]",
+            "joints[1].b.at",
         ),
         (
             analysis,

@@ -262,3 +262,41 @@ fn rigid_motions_of_curved_stiffened_shells_are_free_of_stress() {
     assert!(strain.abs() < 1e-12, "strain energy {strain:e}");
     assert_near("force of the tie", run.last("t.fz"), 0.0, 1e-7);
 }
+
+/// Two half rings around a whole cylinder, which a seam closes, start at the seam or pass it in their middle.
+#[test]
+fn rings_pass_seams() {
+    let r = 1.015_f64;
+    let radius = |first: f64| {
+        let at = |angle: f64| [0.0, -r * (first + angle).sin(), r * (first + angle).cos()];
+        let ring = |name: &str, start: f64| {
+            let [from, through, to] = [0.0, 0.5, 1.0].map(|part| at(start + part * std::f64::consts::PI));
+            format!(
+                "[[bodies]]\nkind = \"beam\"\nname = \"{name}\"\nfrom = {from:?}\nto = {to:?}\nshape = {{ kind = \"arc\", through = {through:?} }}\n\
+                 elements = 8\nformulation = \"linked\"\nsection = \"r\"\nmaterial = \"m\"\n\
+                 [[joints]]\nkind = \"tie\"\nname = \"{name}\"\na = {{ body = \"{name}\", at = \"start\" }}\nb = {{ body = \"s\", at = \"center\" }}\n"
+            )
+        };
+        let text = format!(
+            "{STATICS}{MATERIAL}sections.r = {{ kind = \"rectangle\", height = 0.02, width = 0.02 }}\n\
+             [[bodies]]\nkind = \"shell\"\nname = \"s\"\nelements = [16, 8]\nthickness = 0.01\nmaterial = \"m\"\n\
+             surface = {{ kind = \"revolved\", from = [-0.6, 0, 1], to = [0.6, 0, 1], center = [0, 0, 0], axis = [1, 0, 0], angle = {:?} }}\n\
+             [[joints]]\nkind = \"seam\"\nname = \"seam\"\na = {{ body = \"s\", at = {{ edge = \"u_start\" }} }}\nb = {{ body = \"s\", at = {{ edge = \"u_end\" }} }}\n\
+             [[joints]]\nkind = \"support\"\nname = \"c\"\na = {{ body = \"s\", at = {{ edge = \"v_start\" }} }}\ncondition = \"clamped\"\n{}{}\
+             [[loads]]\nkind = \"surface_pressure\"\nbody = \"s\"\npressure = 1e-3\n\
+             [[probes]]\nname = \"p\"\non = {{ body = \"s\", at = [0.125, 0.5] }}\nrecord = [\"motion\"]\n",
+            std::f64::consts::TAU,
+            ring("first", 0.0),
+            ring("second", std::f64::consts::PI)
+        );
+        let run = Run::of(&parse(&text));
+        run.last("p.y").hypot(run.last("p.z")) - 1.0
+    };
+    // The pressure of a long cylinder with a ring: p R²/(E h)/(1 + A β R/(2 h (R + e))), ν = 0.
+    let decay = 3.0_f64.powf(0.25) * 10.0;
+    let exact = 1e-7 / (1.0 + 4e-4 * decay / (2.0 * 0.01 * r));
+    for first in [0.0, std::f64::consts::FRAC_PI_2] {
+        assert_relative(&format!("from {first}"), radius(first), exact, 2e-2);
+    }
+    assert_relative("both", radius(0.0), radius(std::f64::consts::FRAC_PI_2), 2e-3);
+}

@@ -175,7 +175,7 @@ impl Frame {
                 (&mut joint.a, Some(&mut joint.b))
             }
             Joint::Bushing(_) | Joint::Generic(_) | Joint::MatrixBushing(_) => self.axes_of(joint)?,
-            Joint::Support(_) | Joint::Seam(_) | Joint::Tie(_) | Joint::Custom(_) => return None,
+            Joint::Support(_) | Joint::Seam(_) | Joint::Bond(_) | Joint::Custom(_) => return None,
         };
         self.place(first.0);
         first.1.into_iter().for_each(&mut second);

@@ -105,7 +105,7 @@ fn exchange(joint: &mut Joint) -> Option<Moment> {
         | Joint::MatrixBushing(_)
         | Joint::Support(_)
         | Joint::Seam(_)
-        | Joint::Tie(_)
+        | Joint::Bond(_)
         | Joint::Custom(_)
         | Joint::Sensor(_) => {
             return None;

@@ -178,7 +178,7 @@ fn places(joints: &mut [Joint]) -> impl Iterator<Item = &mut Place> {
             Joint::Sensor(j) => (&mut j.a, Some(&mut j.b)),
             Joint::Support(j) => (&mut j.a, Some(&mut j.b)),
             Joint::Seam(j) => (&mut j.a, Some(&mut j.b)),
-            Joint::Tie(j) => (&mut j.a, Some(&mut j.b)),
+            Joint::Bond(j) => (&mut j.a, Some(&mut j.b)),
             Joint::Custom(_) => return Vec::new(),
         };
         let second = b.and_then(|end| if let End::Place(place) = end { Some(place) } else { None });

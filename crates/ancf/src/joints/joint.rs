@@ -15,7 +15,7 @@ use super::universal::Universal;
 use crate::joints::elastic::{Bushing, PointSpring};
 use crate::joints::general::{CustomJoint, Generic, MatrixBushing, Sensor};
 use crate::joints::parts::{ClampedGradients, End, JointKind};
-use crate::joints::surface::{Seam, Support, Tie};
+use crate::joints::surface::{Bond, Seam, Support};
 use crate::model::{Place, TimeFunction};
 use crate::units::Scaled;
 
@@ -80,7 +80,7 @@ joint_kinds! {
     MatrixBushing(MatrixBushing),
     Support(Support),
     Seam(Seam),
-    Tie(Tie),
+    Bond(Bond),
     Sensor(Sensor),
 }
 

@@ -43,5 +43,5 @@ pub use prismatic::Prismatic;
 pub use revolute::Revolute;
 pub use slide::Slide;
 pub use spherical::Spherical;
-pub use surface::{Seam, SeamCondition, Support, SupportCondition, SupportedAxis, Tie};
+pub use surface::{Bond, Seam, SeamCondition, Support, SupportCondition, SupportedAxis};
 pub use universal::Universal;

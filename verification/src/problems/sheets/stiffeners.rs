@@ -1,4 +1,4 @@
-//! Beams and cables tied to sheets and shells along lines.
+//! Beams and cables bonded to sheets and shells along lines.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -12,11 +12,11 @@ use crate::{Findings, Problem, VerificationError, solve};
 pub(super) const PROBLEMS: &[Problem] = &[
     Problem {
         name: "bonded_bar",
-        title: "Strip and beam of the same width, tied to one bar",
+        title: "Strip and beam of the same width, bonded to one bar",
         source: "Euler-Bernoulli bar of both heights: w = F L³/(3 E I), f = 1.8751² √(E I/ρA)/(2π L²) in both directions. ν = 0",
         sketch: r"
       |=====================  strip
-      |#####################  beam below, tied: one bar of 2 h
+      |#####################  beam below, bonded: one bar of 2 h
                            ↓ F",
         goal: "Deflection with 4 thin elements within 1e-4, with 32 shear-deformable ones within 0.1 %; two frequencies within 0.1 and 0.5 %",
         run: bonded,
@@ -51,12 +51,12 @@ pub(super) const PROBLEMS: &[Problem] = &[
     },
 ];
 
-/// Beam or cable `rib` with its tie to the shell `s`, as text. `line` has the keys of the axis.
+/// Beam or cable `rib` with its bond to the shell `s`, as text. `line` has the keys of the axis.
 fn rib(kind: &str, section: &str, line: &str, elements: usize, on: &str) -> String {
     let formulation = if kind == "beam" { "formulation = \"linked\"\n" } else { "" };
     format!(
         "sections.r = {{ {section} }}\n[[bodies]]\nkind = \"{kind}\"\nname = \"rib\"\n{line}elements = {elements}\n{formulation}\
-         section = \"r\"\nmaterial = \"m\"\n[[joints]]\nkind = \"tie\"\nname = \"tie\"\n\
+         section = \"r\"\nmaterial = \"m\"\n[[joints]]\nkind = \"bond\"\nname = \"bond\"\n\
          a = {{ body = \"rib\", at = \"start\" }}\nb = {on}\n"
     )
 }

@@ -120,6 +120,7 @@ from ancf.model.drives import (
     Scales,
 )
 from ancf.model.joints import (
+    Bond,
     Clamp,
     ClampedGradients,
     Cylindrical,
@@ -141,7 +142,6 @@ from ancf.model.joints import (
     Support,
     SupportCondition,
     SupportedAxis,
-    Tie,
     Universal,
 )
 from ancf.model.loads import (
@@ -200,6 +200,7 @@ __all__ = [
     "Beam",
     "Body",
     "BodySurface",
+    "Bond",
     "Buckling",
     "Bushing",
     "Cable",
@@ -349,7 +350,6 @@ __all__ = [
     "SweptSurface",
     "ThicknessField",
     "ThicknessFormula",
-    "Tie",
     "TimeFunction",
     "TimeTable",
     "Tube",

@@ -26,6 +26,7 @@ from ancf.model.drives import (
 )
 
 __all__ = [
+    "Bond",
     "Clamp",
     "ClampedGradients",
     "Cylindrical",
@@ -47,7 +48,6 @@ __all__ = [
     "Support",
     "SupportCondition",
     "SupportedAxis",
-    "Tie",
     "Universal",
 ]
 
@@ -650,8 +650,8 @@ class Seam(Part):
 
 @checked_arguments
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
-class Tie(Part):
-    """Tie of a beam or a cable to a shell along its whole length.
+class Bond(Part):
+    """Bond of a beam or a cable to a shell along its whole length.
 
     The beam is a stiffener in the middle surface or at a distance from it, with full composite action. Its
     sections rotate with the shell about its axis, on a shear-deformable shell also across it.
@@ -672,7 +672,7 @@ class Tie(Part):
 
     _form = "Joint"
     _tag = "kind"
-    kind: ClassVar[Literal["tie"]] = "tie"
+    kind: ClassVar[Literal["bond"]] = "bond"
 
     name: str = field(kw_only=False)
     a: Place
@@ -730,7 +730,7 @@ Joint: TypeAlias = (
     | MatrixBushing
     | Support
     | Seam
-    | Tie
+    | Bond
     | Sensor
 )
 """Joint between a body and the ground or another body.

@@ -157,7 +157,7 @@ impl<'a> JointBuilder<'a> {
     }
 
     /// Constrains two points of the bodies to move together, with the moment of the reaction about the first end.
-    pub(crate) fn tie_points(&mut self, a: &Attachment, b: &Attachment) {
+    pub(crate) fn bond_points(&mut self, a: &Attachment, b: &Attachment) {
         let first = self.multipliers(3);
         let term = Box::new(CoincidenceConstraint::points(&a.point, &b.point, first));
         let arm = Some([a.point.clone(), self.a().point.clone()]);

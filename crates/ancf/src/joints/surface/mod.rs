@@ -1,5 +1,8 @@
 //! Supports and seams of shells, and beams along shells.
 
+mod bond;
+mod bond_equations;
+mod bond_feet;
 mod condition;
 mod edge_equations;
 mod mesh_equations;
@@ -7,11 +10,8 @@ mod mesh_seam;
 mod seam;
 mod seam_equations;
 mod support;
-mod tie;
-mod tie_equations;
-mod tie_feet;
 
+pub use bond::Bond;
 pub use condition::{SeamCondition, SupportCondition, SupportedAxis};
 pub use seam::Seam;
 pub use support::Support;
-pub use tie::Tie;

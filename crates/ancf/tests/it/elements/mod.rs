@@ -1,6 +1,7 @@
 //! Elements of beams, cables and shells.
 
 mod batches;
+mod bonds;
 mod cable;
 mod continuum_energy;
 mod formulations;
@@ -21,5 +22,4 @@ mod shells;
 mod shells_on_bodies;
 mod spline_shells;
 mod thick_bending;
-mod ties;
 mod wrong_fields;

@@ -1,4 +1,4 @@
-//! Points of a shell to which the nodes of a beam are tied.
+//! Points of a shell to which the nodes of a beam are bonded.
 
 use ancf_mechanics::shells::ShellPlace;
 use nalgebra::{Matrix2, Vector2, Vector3};
@@ -30,7 +30,7 @@ pub(super) struct Foot {
     pub(super) normal: Vector3<f64>,
 }
 
-/// Reason why a beam cannot be tied to a shell.
+/// Reason why a beam cannot be bonded to a shell.
 pub(super) struct Unfit {
     pub(super) found: String,
     pub(super) expected: String,

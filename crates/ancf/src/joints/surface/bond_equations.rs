@@ -1,20 +1,20 @@
-//! Equations of ties: points of a beam move with the points of the shell below them.
+//! Equations of bonds: points of a beam move with the points of the shell below them.
 
 use ancf_mechanics::shells::ShellPlace;
 
-use super::tie_feet::feet;
+use super::bond_feet::feet;
 use crate::joints::parts::JointBuilder;
 
 /// Length of an arm, relative to the length of the beam, that counts as zero.
 const NO_ARM: f64 = 1e-9;
 
-/// Adds the equations of a tie of the first body, a beam, to the second one, a shell.
+/// Adds the equations of a bond of the first body, a beam, to the second one, a shell.
 ///
 /// x, r_x, t and l are a point of the axis, its derivative, its direction, and the direction of the section across it along the shell. S, n
 /// and R are the point, the normal or director, and the rotation of the shell below it, d = x − S − R (x₀ − S₀) is the gap.
 ///
 /// Thin shell: d = 0 at two Gauss points of each element and at both ends. These are as many equations as the cubic displacements of the
-/// axis have coordinates. The tie at the nodes alone would make polygons of curved lines.
+/// axis have coordinates. The bond at the nodes alone would make polygons of curved lines.
 ///
 /// Shear-deformable shell:
 ///
@@ -37,7 +37,7 @@ pub(super) fn add_equations(builder: &mut JointBuilder<'_>) {
         let across = foot.normal.cross(&tangent).normalize();
         let is_patch = matches!(foot.place, ShellPlace::Patch(_));
         if !is_patch || !foot.is_node || k == 0 || k + 1 == feet.len() {
-            builder.tie_points(&own, &below);
+            builder.bond_points(&own, &below);
         }
         if !foot.is_node || own.frame().is_none() {
             continue;

@@ -1,4 +1,4 @@
-//! Beams and cables tied to shells.
+//! Beams and cables bonded to shells.
 
 use ancf::Model;
 
@@ -23,20 +23,20 @@ fn rib(kind: &str, [from, to]: [f64; 2], z: f64, elements: usize, keys: &str) ->
 
 const SECTION: &str = "sections.r = { kind = \"rectangle\", height = 0.03, width = 0.03 }\n";
 
-/// Tie of the rib at a place to the sheet.
-fn tie(at: &str, sheet: &Sheet) -> String {
+/// Bond of the rib at a place to the sheet.
+fn bond(at: &str, sheet: &Sheet) -> String {
     format!(
-        "[[joints]]\nkind = \"tie\"\nname = \"t\"\na = {{ body = \"rib\", at = {at} }}\nb = {}\n",
+        "[[joints]]\nkind = \"bond\"\nname = \"t\"\na = {{ body = \"rib\", at = {at} }}\nb = {}\n",
         sheet.corner([0, 0])
     )
 }
 
 const STATICS: &str = "analysis = { kind = \"statics\" }\n";
 
-/// A rib that nothing else supports hands its load to the shell: the reaction of the tie and that of the support balance it, with their
+/// A rib that nothing else supports hands its load to the shell: the reaction of the bond and that of the support balance it, with their
 /// moments.
 #[test]
-fn reactions_of_ties_balance_the_load_of_the_rib() {
+fn reactions_of_bonds_balance_the_load_of_the_rib() {
     for kind in KINDS {
         let sheet = sheet(kind, 4);
         let (force, place) = ([0.3, 0.2, -0.4], [1.0, 0.125, -0.05]);
@@ -47,7 +47,7 @@ fn reactions_of_ties_balance_the_load_of_the_rib() {
             "{STATICS}{MATERIAL}{SECTION}{}{}{CLAMP}{}{load}",
             sheet.body("thickness = 0.02"),
             rib("beam", [0.0, 1.0], place[2], 4, ""),
-            tie("\"start\"", &sheet)
+            bond("\"start\"", &sheet)
         )
         // A stiff material, so that the arms are those of the undeformed state.
         .replace("young = 1e6", "young = 1e13");
@@ -78,7 +78,7 @@ fn reactions_of_ties_balance_the_load_of_the_rib() {
 
 /// Large deflections do not depend on the direction of the rib, on the side of the sheet and on the place that names a body.
 #[test]
-fn ties_are_invariant() {
+fn bonds_are_invariant() {
     for kind in KINDS {
         let sheet = sheet(kind, 4);
         let tip = |[from, to]: [f64; 2], z: f64, at: &str| {
@@ -88,7 +88,7 @@ fn ties_are_invariant() {
                  [[probes]]\nname = \"p\"\non = {}\nrecord = [\"motion\"]\n",
                 sheet.body("thickness = 0.02"),
                 rib("beam", [from, to], z, 4, ""),
-                tie(at, &sheet),
+                bond(at, &sheet),
                 -6.0 * z.signum(),
                 sheet.corner([1, 0])
             );
@@ -122,7 +122,7 @@ fn stiffened_plates_in_flight_conserve_momenta_and_energy() {
              [analysis]\nkind = \"dynamics\"\nduration = 0.1\nstep = 2.5e-3\nscheme = \"energy\"\n[output]\nmomentum = true\n",
             sheet.body(&format!("thickness = 0.02\n{motion}")),
             rib("beam", [0.0, 1.0], -0.025, 4, motion),
-            tie("\"start\"", &sheet),
+            bond("\"start\"", &sheet),
             sheet.corner([1, 1])
         )
         .replace("young = 1e6", "young = 2e4");
@@ -153,7 +153,7 @@ fn ribs_on_thin_shells_need_no_common_nodes() {
              [[loads]]\nkind = \"edge_force\"\nbody = \"s\"\nedge = \"u_end\"\nforce = [0, 0, 1e-4]\n\
              [[probes]]\nname = \"p\"\non = {}\nrecord = [\"motion\"]\n",
             sheet.body("thickness = 0.02"),
-            tie("\"start\"", &sheet),
+            bond("\"start\"", &sheet),
             from[0],
             from[1],
             to[0],
@@ -200,15 +200,15 @@ fn assert_rejected(text: &str, parts: &[&str]) {
     assert!(parts.iter().all(|part| error.contains(part)), "{error}");
 }
 
-/// Ties that have no meaning are rejected with the place.
+/// Bonds that have no meaning are rejected with the place.
 #[test]
-fn wrong_ties_are_rejected() {
+fn wrong_bonds_are_rejected() {
     for kind in [Kind::Thin, Kind::Quads] {
         let sheet = sheet(kind, 4);
-        let model = |rib: &str, tie: &str| {
-            format!("{STATICS}{MATERIAL}{SECTION}{}{rib}{CLAMP}{tie}", sheet.body("thickness = 0.02"))
+        let model = |rib: &str, bond: &str| {
+            format!("{STATICS}{MATERIAL}{SECTION}{}{rib}{CLAMP}{bond}", sheet.body("thickness = 0.02"))
         };
-        let own = tie("\"start\"", &sheet);
+        let own = bond("\"start\"", &sheet);
         let over = "the nearest";
         assert_rejected(&model(&rib("beam", [0.0, 1.2], -0.025, 6, ""), &own), &["joints[1]", over]);
         let aside = rib("beam", [0.0, 1.0], -0.025, 4, "").replace("0.125", "0.3");
@@ -226,12 +226,12 @@ fn wrong_ties_are_rejected() {
         assert_rejected(&model(&right, &ground), &["joints[1].b", "a place on a shell"]);
         let arm = own.replace("at = \"start\" }", "at = \"start\", offset = [0, 0, 0.1] }");
         assert_rejected(&model(&right, &arm), &["joints[1].a.offset", "an arm"]);
-        let itself = "[[joints]]\nkind = \"tie\"\nname = \"t\"\na = { body = \"rib\", at = 0 }\nb = { body = \"rib\", at = \"end\" }\n";
+        let itself = "[[joints]]\nkind = \"bond\"\nname = \"t\"\na = { body = \"rib\", at = 0 }\nb = { body = \"rib\", at = \"end\" }\n";
         assert_rejected(&model(&right, itself), &["joints[1].b.body", "no shell"]);
         let missing = own.replace("body = \"rib\"", "body = \"rob\"");
         assert_rejected(&model(&right, &missing), &["joints[1].a.body", "rob"]);
     }
-    let between = tie("\"start\"", &sheet(Kind::Quads, 4));
+    let between = bond("\"start\"", &sheet(Kind::Quads, 4));
     let sheet = sheet(Kind::Quads, 4);
     let off = rib("beam", [0.0, 1.0], -0.025, 4, "").replace("0.125", "0.1");
     let text = format!("{STATICS}{MATERIAL}{SECTION}{}{off}{CLAMP}{between}", sheet.body("thickness = 0.02"));
@@ -251,7 +251,7 @@ fn rigid_motions_of_curved_stiffened_shells_are_free_of_stress() {
          [[bodies]]\nkind = \"rigid\"\nname = \"hub\"\ncenter = [0, 0, 0]\nmass = 1\ninertia = [1, 1, 1]\n\
          [[joints]]\nkind = \"support\"\nname = \"c\"\na = {{ body = \"s\", at = {{ edge = \"u_start\" }} }}\nb = {{ body = \"hub\", at = \"center\" }}\ncondition = \"clamped\"\n\
          [[joints]]\nkind = \"drive\"\nname = \"turn\"\na = {{ body = \"rib\", at = \"center\" }}\n{turn}\nangle = 1.2\ndisplacement = [0.2, 0.1, 0.4]\ntime = 1\n\
-         [[joints]]\nkind = \"tie\"\nname = \"t\"\na = {{ body = \"rib\", at = \"start\" }}\nb = {{ body = \"s\", at = \"center\" }}\n",
+         [[joints]]\nkind = \"bond\"\nname = \"t\"\na = {{ body = \"rib\", at = \"start\" }}\nb = {{ body = \"s\", at = \"center\" }}\n",
         std::f64::consts::FRAC_PI_2,
         -r,
         -half
@@ -260,7 +260,7 @@ fn rigid_motions_of_curved_stiffened_shells_are_free_of_stress() {
     let strain = run.last("strain");
     // The strain energy of a bending by this angle is E h³ L φ²/24, about 1.
     assert!(strain.abs() < 1e-12, "strain energy {strain:e}");
-    assert_near("force of the tie", run.last("t.fz"), 0.0, 1e-7);
+    assert_near("force of the bond", run.last("t.fz"), 0.0, 1e-7);
 }
 
 /// Two half rings around a whole cylinder, which a seam closes, start at the seam or pass it in their middle.
@@ -274,7 +274,7 @@ fn rings_pass_seams() {
             format!(
                 "[[bodies]]\nkind = \"beam\"\nname = \"{name}\"\nfrom = {from:?}\nto = {to:?}\nshape = {{ kind = \"arc\", through = {through:?} }}\n\
                  elements = 8\nformulation = \"linked\"\nsection = \"r\"\nmaterial = \"m\"\n\
-                 [[joints]]\nkind = \"tie\"\nname = \"{name}\"\na = {{ body = \"{name}\", at = \"start\" }}\nb = {{ body = \"s\", at = \"center\" }}\n"
+                 [[joints]]\nkind = \"bond\"\nname = \"{name}\"\na = {{ body = \"{name}\", at = \"start\" }}\nb = {{ body = \"s\", at = \"center\" }}\n"
             )
         };
         let text = format!(

@@ -1,14 +1,14 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::tie_equations::add_equations;
-use super::tie_feet::{Unfit, feet};
+use super::bond_equations::add_equations;
+use super::bond_feet::{Unfit, feet};
 use crate::errors::{Finding, finding, quoted};
 use crate::joints::parts::{End, JointBuilder, JointContext, JointKind};
 use crate::model::{Body, Formulation, Place};
 use crate::units::Scaled;
 
-/// Tie of a beam or a cable to a shell along its whole length.
+/// Bond of a beam or a cable to a shell along its whole length.
 ///
 /// The beam is a stiffener in the middle surface or at a distance from it, with full composite action. Its sections rotate with the shell
 /// about its axis, on a shear-deformable shell also across it.
@@ -17,7 +17,7 @@ use crate::units::Scaled;
 /// nodes of the mesh along a line of edges.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(deny_unknown_fields)]
-pub struct Tie {
+pub struct Bond {
     /// Name in outputs and messages.
     #[schemars(length(min = 1))]
     pub name: String,
@@ -27,9 +27,9 @@ pub struct Tie {
     pub b: End,
 }
 
-impl JointKind for Tie {
+impl JointKind for Bond {
     fn word(&self) -> &'static str {
-        "tie"
+        "bond"
     }
 
     fn name(&self) -> &str {
@@ -61,7 +61,7 @@ impl JointKind for Tie {
         let mut findings = Vec::new();
         for (end, place) in [("a", &self.a), ("b", b)] {
             if place.offset != [0.0; 3] {
-                let expected = "no arm: the whole beam is tied, at its distance from the shell";
+                let expected = "no arm: the whole beam is bonded, at its distance from the shell";
                 findings.push(finding(format!("{path}.{end}.offset"), "an arm", expected));
             }
         }

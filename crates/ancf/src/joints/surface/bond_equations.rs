@@ -10,11 +10,11 @@ const NO_ARM: f64 = 1e-9;
 
 /// Adds the equations of a bond of the first body, a beam, to the second one, a shell.
 ///
-/// x, r_x, t and l are a point of the axis, its derivative, its direction, and the direction of the section across it along the shell. S, n
+/// x, t and l are a point of the axis, its direction, and the direction of the section across it along the shell. S, n
 /// and R are the point, the normal or director, and the rotation of the shell below it, d = x − S − R (x₀ − S₀) is the gap.
 ///
 /// Thin shell: d = 0 at two Gauss points of each element and at both ends. These are as many equations as the cubic displacements of the
-/// axis have coordinates. The bond at the nodes alone would make polygons of curved lines.
+/// axis have coordinates. With the nodes alone the beam would slip between them.
 ///
 /// Shear-deformable shell:
 ///

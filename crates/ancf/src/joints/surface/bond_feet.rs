@@ -12,6 +12,8 @@ const NORMAL: f64 = 1e-6;
 const OVER_NODE: f64 = 0.02;
 /// Largest length of an element of the beam, relative to one of the shell.
 const LONGEST: f64 = 1.0 + 1e-6;
+/// Smallest distance of points of the shell below neighbouring nodes, relative to the length of the element of the beam.
+const LEVEL: f64 = 0.2;
 /// Factor of a span from a vector between two points of a curved surface, whose length is not exact.
 const SHORTEST: f64 = 0.95;
 /// Largest number of cells in a direction among whose corners the search for the first point starts.
@@ -79,7 +81,12 @@ fn feet_on_patch(points: &[(f64, Vector3<f64>)], shell: &Shell, length: f64) -> 
             return Err(Unfit { found, expected: "a beam over the shell along its whole length".into() });
         }
         let is_node = k % 3 == 0;
+        let element = length * 3.0 / (points.len() - 1) as f64;
         if is_node {
+            if node.is_some_and(|node| (found.point - node.point).norm() < LEVEL * element) {
+                let found = format!("a beam that rises from the shell, element {}", k / 3);
+                return Err(Unfit { found, expected: "a beam along the shell".into() });
+            }
             let span = node.map_or(0.0, |node| node.span(&found, shell.elements));
             if span > LONGEST {
                 let (span, number_of) = (number(span), k / 3);

@@ -231,6 +231,15 @@ fn wrong_bonds_are_rejected() {
         let missing = own.replace("body = \"rib\"", "body = \"rob\"");
         assert_rejected(&model(&right, &missing), &["joints[1].a.body", "rob"]);
     }
+    let sheet_below = sheet(Kind::Thin, 4);
+    let post =
+        rib("beam", [0.5, 0.5], 0.0, 4, "").replace("to = [0.5, 0.125, 0.0]", "to = [0.5, 0.125, 1.0]");
+    let text = format!(
+        "{STATICS}{MATERIAL}{SECTION}{}{post}{CLAMP}{}",
+        sheet_below.body("thickness = 0.02"),
+        bond("\"start\"", &sheet_below)
+    );
+    assert_rejected(&text, &["joints[1]", "rises from the shell"]);
     let between = bond("\"start\"", &sheet(Kind::Quads, 4));
     let sheet = sheet(Kind::Quads, 4);
     let off = rib("beam", [0.0, 1.0], -0.025, 4, "").replace("0.125", "0.1");

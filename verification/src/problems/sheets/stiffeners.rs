@@ -51,21 +51,19 @@ pub(super) const PROBLEMS: &[Problem] = &[
     },
 ];
 
-/// Beam or cable `rib` with its bond to the shell `s`, as text. `line` has the keys of the axis.
-fn rib(kind: &str, section: &str, line: &str, elements: usize, on: &str) -> String {
+/// Section `r` of the rib, as text before the lists of a model.
+fn section(keys: &str) -> String {
+    format!("sections.r = {{ {keys} }}\n")
+}
+
+/// Beam or cable `rib` of the section `r` with its bond to the shell `s`, as text. `line` has the keys of the axis.
+fn rib(kind: &str, line: &str, elements: usize, on: &str) -> String {
     let formulation = if kind == "beam" { "formulation = \"linked\"\n" } else { "" };
     format!(
-        "sections.r = {{ {section} }}\n[[bodies]]\nkind = \"{kind}\"\nname = \"rib\"\n{line}elements = {elements}\n{formulation}\
+        "[[bodies]]\nkind = \"{kind}\"\nname = \"rib\"\n{line}elements = {elements}\n{formulation}\
          section = \"r\"\nmaterial = \"m\"\n[[joints]]\nkind = \"bond\"\nname = \"bond\"\n\
          a = {{ body = \"rib\", at = \"start\" }}\nb = {on}\n"
     )
-}
-
-/// Moves tables of sections to the front of a model, before its lists.
-fn ordered(text: &str) -> String {
-    let is_section = |line: &&str| line.starts_with("sections.");
-    let (first, rest): (Vec<&str>, Vec<&str>) = text.lines().partition(is_section);
-    [first, rest].concat().join("\n")
 }
 
 const HIGH: f64 = 0.01;
@@ -83,10 +81,10 @@ fn bar(element: Element, n: usize) -> (Sheet, String) {
     };
     let (y, z) = (0.5 * HIGH, -HIGH);
     let line = format!("from = [0, {y:?}, {z:?}]\nto = [1, {y:?}, {z:?}]\n");
-    let section = format!("kind = \"rectangle\", height = {HIGH:?}, width = {HIGH:?}");
-    let rib = rib("beam", &section, &line, n, &sheet.corner([0, 0]));
+    let section = section(&format!("kind = \"rectangle\", height = {HIGH:?}, width = {HIGH:?}"));
+    let rib = rib("beam", &line, n, &sheet.corner([0, 0]));
     let clamp = "[[joints]]\nkind = \"clamp\"\nname = \"wall\"\na = { body = \"rib\", at = \"start\" }\n";
-    let text = sheet.body() + &sheet.support(Edge::Left, "clamped") + &rib + clamp;
+    let text = section + &sheet.body() + &sheet.support(Edge::Left, "clamped") + &rib + clamp;
     (sheet, text)
 }
 
@@ -108,15 +106,15 @@ fn bonded() -> Result<Findings, VerificationError> {
                 -force / HIGH
             );
             let probe = sheet.probe("end", [1, 0]);
-            let text = ordered(&format!("{text}{load}{probe}[analysis]\nkind = \"statics\"\n"));
-            Ok(-solve(&text)?.last("end.z")? / force)
+            Ok(-solve(&format!("{text}{load}{probe}[analysis]\nkind = \"statics\"\n"))?.last("end.z")?
+                / force)
         })?;
         for (k, (direction, stiffness)) in [("along y", aside), ("along z", down)].into_iter().enumerate() {
             let name = format!("{name}, frequency {direction}");
             convergence.case(name, &meshes, (frequency(stiffness), tolerances[1]), |n| {
                 let (_, text) = bar(element, n as usize);
-                let text = ordered(&format!("{text}[analysis]\nkind = \"modes\"\ncount = 2\n"));
-                Ok(solve(&text)?.column("frequency")?[k])
+                Ok(solve(&format!("{text}[analysis]\nkind = \"modes\"\ncount = 2\n"))?.column("frequency")?
+                    [k])
             })?;
         }
     }
@@ -163,12 +161,12 @@ fn stiffened_cylinder(element: Element, along: usize, pressure: f64) -> String {
         side * r,
         side * half
     );
-    let section = format!("kind = \"rectangle\", height = {SIDE:?}, width = {SIDE:?}");
-    let ring = rib("beam", &section, &line, around, &place);
+    let section = section(&format!("kind = \"rectangle\", height = {SIDE:?}, width = {SIDE:?}"));
+    let ring = rib("beam", &line, around, &place);
     // The positive side of both surfaces is outside.
     let load = format!("[[loads]]\nkind = \"surface_pressure\"\nbody = \"s\"\npressure = {pressure:e}\n");
     let probe = format!("[[probes]]\nname = \"p\"\non = {place}\n[analysis]\nkind = \"statics\"\n");
-    ordered(&format!("{body}{supports}{guide}{ring}{load}{probe}"))
+    format!("{section}{body}{supports}{guide}{ring}{load}{probe}")
 }
 
 fn ring() -> Result<Findings, VerificationError> {
@@ -245,10 +243,10 @@ fn plate() -> Result<Findings, VerificationError> {
                 let edges = [Edge::Left, Edge::Right, Edge::Front, Edge::Back];
                 let supports = edges.map(|edge| sheet.guide(edge, "\"x\", \"y\", \"z\"")).concat();
                 let line = "from = [0, 0.5, 0]\nto = [1, 0.5, 0]\n";
-                let section = format!("kind = \"circle\", diameter = {DIAMETER:?}");
-                let rib = rib(kind, &section, line, n as usize, &sheet.corner([0, 0]));
+                let section = section(&format!("kind = \"circle\", diameter = {DIAMETER:?}"));
+                let rib = rib(kind, line, n as usize, &sheet.corner([0, 0]));
                 let modes = "[analysis]\nkind = \"modes\"\ncount = 3\n";
-                let found = solve(&ordered(&format!("{}{supports}{rib}{modes}", sheet.body())))?;
+                let found = solve(&format!("{section}{}{supports}{rib}{modes}", sheet.body()))?;
                 let apart = |f: &f64| (f - exact[k]).abs();
                 let nearest =
                     found.column("frequency")?.iter().copied().min_by(|a, b| apart(a).total_cmp(&apart(b)));

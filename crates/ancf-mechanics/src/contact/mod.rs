@@ -9,4 +9,4 @@ pub use crate::laws::ContactLaw;
 pub use beams::{BeamContact, BeamContacts};
 pub use obstacles::{Obstacle, ObstacleContact, ObstacleContacts, ObstacleShape};
 pub use parts::{ClosestContact, ContactGeometry, ContactPoint};
-pub use surfaces::{SurfaceContact, SurfaceContacts};
+pub use surfaces::{FaceContact, FaceContacts, ThinContact, ThinContacts};

@@ -1,4 +1,4 @@
-//! Shape functions, curves, quadrature, and points and directions linear in the coordinates.
+//! Shape functions, curves, surfaces, quadrature, and points and directions linear in the coordinates.
 
 mod attachment;
 mod axis;
@@ -12,6 +12,7 @@ mod quadrature;
 mod rotation;
 mod section_frame;
 mod shape;
+mod surfaces;
 
 pub(crate) use attachment::round_to_zero;
 pub use attachment::{Attachment, Directions};
@@ -31,3 +32,4 @@ pub(crate) use quadrature::{gauss4, lobatto3, simpson_points};
 pub(crate) use rotation::{relative_driven_rotation, relative_rotation};
 pub use section_frame::{FrameValues, SectionFrame};
 pub use shape::{BeamShape, Interpolation, QuadraticShape, VectorKind};
+pub(crate) use surfaces::{CONVEX, SurfaceValues, closest_point, derivatives};

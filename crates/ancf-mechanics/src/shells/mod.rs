@@ -32,5 +32,6 @@ pub use shear::{
     Face, MeshTopology, NearestPoint, ShearMedium, ShearShellMesh, ShearStressField, ShellPlace,
     SurfacePlace, TopologyDefect, directors, stress_axis,
 };
+pub(crate) use shear::{NODES, Shape};
 pub use stress::StressField;
 pub use surface_stress::{LAYERS, SurfaceStress};

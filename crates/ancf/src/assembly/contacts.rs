@@ -1,10 +1,11 @@
 //! Contact pairs of a model as searches for contact.
 
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use ancf_mechanics::bodies::BodyTerms;
 use ancf_mechanics::contact::{
-    BeamContacts, ContactGeometry, ContactLaw, Obstacle, ObstacleContacts, SurfaceContacts,
+    BeamContacts, ContactGeometry, ContactLaw, FaceContacts, Obstacle, ObstacleContacts, ThinContacts,
 };
 use ancf_mechanics::kinematics::{Attachment, Marker};
 use ancf_solver::equations::{ContactSearch, State};
@@ -58,6 +59,44 @@ impl IndexedModel<'_> {
         Some(ContactGeometry::of_points(points, surface.radius, surface.size(centre)))
     }
 
+    /// Geometry of the bodies of a contact with their numbers: lines and points, and shells.
+    fn contact_bodies(
+        &self,
+        contact: &Contact,
+        built: &[(String, BodyTerms)],
+    ) -> [Vec<(usize, ContactGeometry)>; 2] {
+        let bodies = contact.bodies(self);
+        [false, true].map(|is_shell| {
+            let own = bodies.iter().copied().filter(|i| self.bodies[*i].is_shell() == is_shell);
+            own.filter_map(|i| Some((i, self.contact_geometry(contact, i, &built[i].1)?))).collect()
+        })
+    }
+
+    /// Pairs of different bodies in contact with each other that overlap in the undeformed state, so that parts of them have no contact.
+    pub(crate) fn overlapping_bodies(&self) -> BTreeSet<[usize; 2]> {
+        let mutual = self.contacts.iter().filter(|contact| contact.with.obstacle().is_none());
+        let mut pairs = BTreeSet::new();
+        for contact in mutual {
+            let built = self.meshes();
+            let begin = State::rest(built.iter().map(|(_, terms)| terms.coordinates()).sum(), 0);
+            let [(lines, tubes), (shells, surfaces)] = self
+                .contact_bodies(contact, &built)
+                .map(|bodies| bodies.into_iter().unzip::<_, _, Vec<_>, Vec<_>>());
+            let law = contact.law(self, 0.0, 1.0);
+            let mut add = |found: Vec<[usize; 2]>, own: &[usize], other: &[usize]| {
+                let bodies = found.into_iter().map(|[a, b]| [own[a], other[b]]).filter(|[a, b]| a != b);
+                pairs.extend(bodies.map(|[a, b]| [a.min(b), a.max(b)]));
+            };
+            for (numbers, sources) in [(&lines, &tubes), (&shells, &surfaces)] {
+                let thin = ThinContacts::new(sources, &surfaces, law, &begin).joined_bodies();
+                let faces = FaceContacts::new(sources, &surfaces, law, &begin).joined_bodies();
+                [thin, faces].into_iter().for_each(|found| add(found, numbers, &shells));
+            }
+            add(BeamContacts::new(tubes, law).joined_bodies(), &lines, &lines);
+        }
+        pairs
+    }
+
     /// Contact searches of a valid model. Bodies that overlap in the initial state are excluded as joined.
     pub(crate) fn encounters(
         &self,
@@ -65,11 +104,11 @@ impl IndexedModel<'_> {
         begin: &State,
     ) -> Vec<Arc<dyn ContactSearch>> {
         let of = |contact: &Contact| -> Vec<Arc<dyn ContactSearch>> {
-            let geometry = |is_shell: bool| -> Vec<ContactGeometry> {
-                let own = contact.bodies(self).into_iter().filter(|i| self.bodies[*i].is_shell() == is_shell);
-                own.filter_map(|i| self.contact_geometry(contact, i, &built[i].1)).collect()
+            let [lines, shells] = self.contact_bodies(contact, built);
+            let geometry = |bodies: Vec<(usize, ContactGeometry)>| -> Vec<ContactGeometry> {
+                bodies.into_iter().map(|(_, geometry)| geometry).collect()
             };
-            let (lines, shells) = (geometry(false), geometry(true));
+            let (lines, shells) = (geometry(lines), geometry(shells));
             let radii = lines.iter().chain(&shells).map(ContactGeometry::margin);
             let thinnest = radii.fold(f64::INFINITY, f64::min);
             let law = |stiffness: Option<f64>| contact.law(self, stiffness.unwrap_or(0.0), thinnest);
@@ -92,11 +131,14 @@ impl IndexedModel<'_> {
         begin: &State,
     ) -> Vec<Arc<dyn ContactSearch>> {
         let mut searches: Vec<Arc<dyn ContactSearch>> = Vec::new();
-        if !shells.is_empty() {
-            let half = ContactLaw { stiffness: 0.5 * of_surfaces.stiffness, ..of_surfaces };
-            searches.push(Arc::new(SurfaceContacts::new(&shells, &shells, half, begin)));
-            if !lines.is_empty() {
-                searches.push(Arc::new(SurfaceContacts::new(&lines, &shells, law, begin)));
+        let half = ContactLaw { stiffness: 0.5 * of_surfaces.stiffness, ..of_surfaces };
+        let parts = [(&shells, half), (&lines, law)];
+        for (sources, law) in parts.into_iter().filter(|(sources, _)| !sources.is_empty()) {
+            if shells.iter().any(ContactGeometry::is_thin) {
+                searches.push(Arc::new(ThinContacts::new(sources, &shells, law, begin)));
+            }
+            if shells.iter().any(ContactGeometry::has_faces) {
+                searches.push(Arc::new(FaceContacts::new(sources, &shells, law, begin)));
             }
         }
         if !lines.is_empty() {

@@ -26,12 +26,7 @@ fn rules_of_contact(model: &IndexedModel<'_>, path: &str, contact: &Contact) -> 
                 Some(_) => {
                     (rigid(" and has no `surface`"), "a beam, a cable, a shell or a body with a `surface`")
                 }
-                None if body.is_shell() => {
-                    let expected =
-                        "a beam, a cable or a body of the kind \"shell\": this one touches obstacles only";
-                    (format!("{}, a shell with shear", quoted(name)), expected)
-                }
-                None => (rigid(""), "a beam, a cable or a thin shell"),
+                None => (rigid(""), "a beam, a cable or a shell"),
             };
             findings.push(finding(key, found, expected).rests_on(["bodies".into()]));
         } else if contact.bodies[..i].contains(name) {
@@ -67,7 +62,7 @@ fn rule_of_partners(model: &IndexedModel<'_>, path: &str, contact: &Contact) -> 
     let found = "no body that can touch it";
     let expected = match contact.with.obstacle() {
         Some(_) => "a beam, a cable, a shell, or a rigid body or point mass with a `surface`",
-        None => "a beam, a cable or a thin shell",
+        None => "a beam, a cable or a shell",
     };
     let error = finding(path.to_owned(), found, expected);
     Some(Finding { absence: true, ..error.rests_on(["bodies".into()]) })

@@ -41,6 +41,13 @@ impl<'a> Connections<'a> {
         self.names(|body| !self.is_grounded(body) && !self.neighbours[body].is_empty())
     }
 
+    /// True for bodies with a joint between them, or with joints to the same body.
+    pub(super) fn are_near(&self, a: usize, b: usize) -> bool {
+        let ground = self.model.bodies.len();
+        let own = &self.neighbours[a];
+        own.contains(&b) || own.iter().any(|other| *other != ground && self.neighbours[b].contains(other))
+    }
+
     fn is_grounded(&self, body: usize) -> bool {
         self.groups[body] == self.groups[self.model.bodies.len()]
     }

@@ -6,6 +6,7 @@ mod corners;
 mod free_motion;
 mod locking;
 mod mechanism;
+mod overlaps;
 mod plausibility;
 mod prestrained_modes;
 mod summary;

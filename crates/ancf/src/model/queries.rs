@@ -166,11 +166,9 @@ impl Contact {
             .collect()
     }
 
-    /// True for beams, cables and thin shells, and for other shells and bodies with a surface if the partner is an obstacle.
+    /// True for beams, cables and shells, and for bodies with a surface if the partner is an obstacle.
     pub(crate) fn touches(&self, body: &Body) -> bool {
-        body.is_flexible()
-            || matches!(body, Body::Shell(_))
-            || ((body.is_shell() || body.surface().is_some()) && self.with.obstacle().is_some())
+        body.is_flexible() || body.is_shell() || (body.surface().is_some() && self.with.obstacle().is_some())
     }
 
     /// Contact radius of a flexible body: as given, or the outer radius of a round, constant section.

@@ -1,3 +1,4 @@
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use ancf_solver::equations::{ContactGroup, ContactPair, ContactSearch, State, Term};
@@ -74,6 +75,16 @@ impl BeamContacts {
         joined.sort_unstable();
         self.joined = joined;
         self
+    }
+
+    /// Returns the pairs of different bodies with joined points, in ascending order.
+    pub fn joined_bodies(&self) -> Vec<[usize; 2]> {
+        let body = |[point, other]: &ContactPair| {
+            let [a, b] = [self.points[*point as usize].0, self.elements[*other as usize].0];
+            [a.min(b), a.max(b)]
+        };
+        let pairs: BTreeSet<[usize; 2]> = self.joined.iter().map(body).filter(|[a, b]| a != b).collect();
+        pairs.into_iter().collect()
     }
 
     fn axis(&self, element: usize) -> &ElementAxis {

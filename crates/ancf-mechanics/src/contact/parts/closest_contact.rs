@@ -134,16 +134,15 @@ impl<P: ContactPartners<N>, const N: usize> Term for ClosestContact<P, N> {
             if shares[0] != shares[1] || shares[1] != shares[2] {
                 return;
             }
-            let energies = [&from, &to].map(|pose| Self::value(pose, point, |contact| contact.energy()));
+            let energies = [&from, &to].map(|pose| Self::value(pose, point, |contact| contact.unit_energy()));
             if energies == [0.0; 2] {
                 return;
             }
-            let forces =
+            let pressures =
                 [&from, &middle, &to].map(|pose| Self::value(pose, point, |contact| contact.pressure()));
             middle.with_foot(point, &mut |contact| {
-                let excess =
-                    ContactLaw::discrete_force(energies, contact.closing(&moved), forces) - forces[1];
-                contact.add_normal(excess, r);
+                let mean = ContactLaw::discrete_force(energies, contact.closing(&moved), pressures);
+                contact.add_normal(mean - pressures[1], r);
             });
         };
         // Points that touch at the end only follow those that touch at the start.

@@ -1,16 +1,18 @@
 use std::iter::StepBy;
 use std::slice::Iter;
 
+use super::face_geometry::FaceGeometry;
 use crate::bodies::BeamMesh;
 use crate::kinematics::{ElementAxis, Marker};
 use crate::shells::{ElementSurface, ShearShellMesh, ShellMesh};
 
 /// Contact geometry of a body: a round tube about its axis, the balls of a rigid body, or the middle surface of a shell with
 /// its thickness, with contact points on it.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct ContactGeometry {
     pub(in crate::contact) axes: Vec<ElementAxis>,
     pub(in crate::contact) surfaces: Vec<SurfaceGeometry>,
+    pub(in crate::contact) faces: Vec<FaceGeometry>,
     pub(in crate::contact) points: Vec<ContactPoint>,
     /// Number of points per element.
     pub(in crate::contact) count: usize,
@@ -24,7 +26,9 @@ pub struct ContactGeometry {
 
 /// Surface of an element of a thin shell.
 #[derive(Clone, Debug)]
-pub(in crate::contact) struct SurfaceGeometry {
+pub struct SurfaceGeometry {
+    /// Number of the element in its shell.
+    pub(in crate::contact) number: usize,
     pub(in crate::contact) surface: ElementSurface,
     /// Free edges: ξ = 0 and ξ = 1, η = 0 and η = 1.
     pub(in crate::contact) free: [[bool; 2]; 2],
@@ -70,7 +74,7 @@ impl ContactGeometry {
         let point = |i: usize| ContactPoint::new(mesh.point((i as f64 + 0.5) * length), length);
         let points: Vec<_> = (0..all).map(point).collect();
         let axes = mesh.element_axes().collect();
-        Self { axes, surfaces: Vec::new(), points, count, is_surface: false, radius, margin: radius }
+        Self { axes, points, count, radius, margin: radius, ..Self::default() }
     }
 
     /// Creates the balls of a rigid body about its points. They share the size of the body as the length.
@@ -78,7 +82,7 @@ impl ContactGeometry {
         let count = points.len();
         let points = points.into_iter().map(|place| ContactPoint::new(place, size / count as f64)).collect();
         let margin = radius.max(POINT_MARGIN * size);
-        Self { axes: Vec::new(), surfaces: Vec::new(), points, count, is_surface: false, radius, margin }
+        Self { points, count, radius, margin, ..Self::default() }
     }
 
     /// Creates the surface of a thin shell with a thickness and at least `count` points per element in each direction.
@@ -86,14 +90,17 @@ impl ContactGeometry {
     /// The surfaces of shells in contact with each other have the smallest thickness.
     pub fn shell(mesh: &ShellMesh, thickness: f64, count: usize) -> Self {
         let points = mesh.surface_points(cells(count));
+        let elements = mesh.element_surfaces().enumerate();
         let surfaces =
-            mesh.element_surfaces().map(|(surface, free)| SurfaceGeometry { surface, free }).collect();
+            elements.map(|(number, (surface, free))| SurfaceGeometry { number, surface, free }).collect();
         Self { surfaces, ..Self::of_surface(points, thickness, 2 * cells(count) + 1) }
     }
 
     /// Creates the surface of a shear-deformable shell with a thickness and at least `count` points per element in each direction.
     pub fn shear_shell(mesh: &ShearShellMesh, thickness: f64, count: usize) -> Self {
-        Self::of_surface(mesh.surface_points(cells(count)), thickness, 2 * cells(count) + 1)
+        let points = mesh.surface_points(cells(count));
+        let faces = FaceGeometry::all(mesh);
+        Self { faces, ..Self::of_surface(points, thickness, 2 * cells(count) + 1) }
     }
 
     /// Creates the surface of points with their areas and their thicknesses relative to a given one.
@@ -104,8 +111,7 @@ impl ContactGeometry {
         let (least, largest) = (scales().fold(f64::INFINITY, f64::min), scales().fold(0.0, f64::max));
         let [radius, margin] = [least, largest].map(|scale| 0.5 * thickness * scale);
         points.iter_mut().for_each(|point| point.scale /= least);
-        let (axes, surfaces) = (Vec::new(), Vec::new());
-        Self { axes, surfaces, points, count: count * count, is_surface: true, radius, margin }
+        Self { points, count: count * count, is_surface: true, radius, margin, ..Self::default() }
     }
 
     /// Returns the lines of points between which the body extends: along a beam, or in both directions of each element of a shell.
@@ -118,6 +124,16 @@ impl ContactGeometry {
             let across = if count > 1 { count } else { 0 };
             along.chain((0..across).map(move |k| points[k..].iter().step_by(count)))
         })
+    }
+
+    /// Returns true for a thin shell.
+    pub const fn is_thin(&self) -> bool {
+        !self.surfaces.is_empty()
+    }
+
+    /// Returns true for a shear-deformable shell.
+    pub const fn has_faces(&self) -> bool {
+        !self.faces.is_empty()
     }
 
     /// Returns the smallest radius, or the search margin of points without a radius.

@@ -20,7 +20,7 @@ pub struct PointContact<'a, const N: usize> {
     pub(in crate::contact) law: &'a ContactLaw,
     /// Sum of both radii.
     pub(in crate::contact) radius: f64,
-    /// Length of beam or area of shell that the point represents.
+    /// Length of beam or area of shell that the point represents. It is negative for a contact that is subtracted.
     pub(in crate::contact) size: f64,
     pub(in crate::contact) foot: Foot<N>,
     /// Weights of the vectors of the point and the element. A vector may occur twice.
@@ -42,13 +42,18 @@ impl<const N: usize> PointContact<'_, N> {
         self.size * self.foot.share
     }
 
-    /// Returns the normal force without damping.
+    /// Returns the normal force without damping, per length or area.
     pub(in crate::contact) fn pressure(&self) -> f64 {
-        self.extent() * self.law.pressure(self.gap())
+        self.law.pressure(self.gap())
+    }
+
+    /// Returns the energy per length or area.
+    pub(in crate::contact) fn unit_energy(&self) -> f64 {
+        self.law.energy(self.gap())
     }
 
     pub(in crate::contact) fn energy(&self) -> f64 {
-        self.extent() * self.law.energy(self.gap())
+        self.extent() * self.unit_energy()
     }
 
     /// Returns the rate n·ḋ of the gap along the normal of this state, for velocities or displacements v.
@@ -80,9 +85,9 @@ impl<const N: usize> PointContact<'_, N> {
         }
     }
 
-    /// Adds a normal force.
-    pub(in crate::contact) fn add_normal(&self, force: f64, rows: &mut [f64]) {
-        self.add_force(&(self.foot.d.normalize() * force), rows);
+    /// Adds a normal force per length or area.
+    pub(in crate::contact) fn add_normal(&self, pressure: f64, rows: &mut [f64]) {
+        self.add_force(&(self.foot.d.normalize() * (self.extent() * pressure)), rows);
     }
 
     /// Adds the forces for velocities v.
@@ -124,7 +129,7 @@ impl<const N: usize> PointContact<'_, N> {
             0.0
         };
         let errors = [gaps, tilt + transition, moving + turned];
-        let bound = self.law.rounding(self.gap(), rate.norm(), errors) * self.size;
+        let bound = self.law.rounding(self.gap(), rate.norm(), errors) * self.size.abs();
         let force = self.force(&rate).norm();
         for FootWeight { first, place, slopes } in self.weights {
             let changed: f64 =

@@ -1,29 +1,17 @@
-use nalgebra::{Matrix2, Vector2, Vector3};
+use nalgebra::Vector3;
 
-use crate::contact::parts::AlignedBox;
+use super::target::TargetSurface;
+use crate::kinematics::{SurfaceValues, closest_point};
 use crate::shells::ElementSurface;
 
 /// Surface of an element in a state: r = Σ Bᵢ(ξ) Bⱼ(η) bᵢⱼ with the cubic Bernstein polynomials, relative to an origin.
 ///
 /// The surface is in the convex hull of the Bézier points bᵢⱼ.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct BicubicSurface {
+pub struct BicubicSurface {
     /// Bézier points, along ξ first.
     pub(super) points: [[Vector3<f64>; 4]; 4],
 }
-
-/// Values of r, r_ξ, r_η, r_ξξ, r_ηη and r_ξη.
-pub(super) type SurfaceValues = [Vector3<f64>; 6];
-
-const ITERATIONS: usize = 40;
-/// Increment below which the next increment of Newton's method is a rounding error.
-const QUADRATIC: f64 = 1e-9;
-/// Part of the metric above which the second derivative of the squared distance is used. The iteration is Newton's method then.
-pub(super) const CONVEX: f64 = 0.1;
-/// Increment of Newton's method below which the distance is not compared, since it decreases by less than its rounding error.
-const NEAR: f64 = 1e-4;
-/// Largest number of halvings of an increment.
-const HALVINGS: usize = 30;
 
 impl BicubicSurface {
     /// Evaluates the surface of an element, given the coordinates q.
@@ -35,22 +23,6 @@ impl BicubicSurface {
         let rows = [row(0, 0), row(0, 2), row(2, 0), row(2, 2)];
         let columns: [[Vector3<f64>; 4]; 4] = std::array::from_fn(|i| cubic(rows.map(|row| row[i])));
         Self { points: std::array::from_fn(|j| std::array::from_fn(|i| columns[i][j])) }
-    }
-
-    /// Returns the Bézier points.
-    pub(super) fn all_points(&self) -> impl Iterator<Item = &Vector3<f64>> {
-        self.points.iter().flatten()
-    }
-
-    /// Returns the box around the Bézier points, enlarged by a margin.
-    pub(super) fn hull(&self, margin: f64) -> AlignedBox {
-        AlignedBox::around(self.points.as_flattened(), margin)
-    }
-
-    /// Returns the surface between two states at a part of the straight line.
-    pub(super) fn between(&self, to: &Self, part: f64) -> Self {
-        let at = |i: usize, j: usize| self.points[j][i] + (to.points[j][i] - self.points[j][i]) * part;
-        Self { points: std::array::from_fn(|j| std::array::from_fn(|i| at(i, j))) }
     }
 
     /// Returns r at (ξ, η).
@@ -76,32 +48,7 @@ impl BicubicSurface {
 
     /// Returns (ξ, η) of the closest point: that of the nearest Bézier point, improved by Newton's method with line search.
     pub(super) fn closest(&self, point: &Vector3<f64>) -> [f64; 2] {
-        let mut at = self.start(point);
-        let mut values = self.at(at);
-        for _ in 0..ITERATIONS {
-            let d = point - values[0];
-            let (step, is_newton) = increment(&d, &values, at);
-            let is_near = is_newton && step.iter().all(|x| x.abs() < NEAR);
-            let square = if is_near { f64::INFINITY } else { d.norm_squared() };
-            let (mut part, mut next, mut found) = (1.0, at, values);
-            for _ in 0..HALVINGS {
-                next = [0, 1].map(|k| (at[k] + part * step[k]).clamp(0.0, 1.0));
-                found = self.at(next);
-                if (point - found[0]).norm_squared() <= square {
-                    break;
-                }
-                part *= 0.5;
-            }
-            if (point - found[0]).norm_squared() > square {
-                break;
-            }
-            let moved = (0..2).map(|k| (next[k] - at[k]).abs()).fold(0.0, f64::max);
-            (at, values) = (next, found);
-            if moved <= if is_newton { QUADRATIC } else { f64::EPSILON } {
-                break;
-            }
-        }
-        at
+        closest_point(point, self.start(point), |at| self.at(at))
     }
 
     /// Returns (ξ, η) of the nearest Bézier point, as on a plane parallelogram.
@@ -113,45 +60,18 @@ impl BicubicSurface {
     }
 }
 
-/// Computes the gradient D·r_α and the negative second derivative r_α·r_β − D·r_αβ of half the squared distance, and the metric.
-pub(super) fn derivatives(
-    d: &Vector3<f64>,
-    values: &SurfaceValues,
-) -> (Vector2<f64>, Matrix2<f64>, Matrix2<f64>) {
-    let [_, a, b, aa, bb, ab] = values;
-    let metric = Matrix2::new(a.dot(a), a.dot(b), a.dot(b), b.dot(b));
-    let bent = metric - Matrix2::new(d.dot(aa), d.dot(ab), d.dot(ab), d.dot(bb));
-    (Vector2::new(d.dot(a), d.dot(b)), bent, metric)
-}
+impl TargetSurface for BicubicSurface {
+    fn hull_points(&self) -> &[Vector3<f64>] {
+        self.points.as_flattened()
+    }
 
-/// Returns for each parameter if it is free to move along the gradient of the squared distance.
-pub(super) fn are_free(gradient: &Vector2<f64>, at: [f64; 2]) -> [bool; 2] {
-    [0, 1].map(|k| {
-        let [is_before, is_beyond] = [at[k] <= 0.0 && gradient[k] < 0.0, at[k] >= 1.0 && gradient[k] > 0.0];
-        !(is_before || is_beyond)
-    })
-}
+    fn between(&self, to: &Self, part: f64) -> Self {
+        let at = |i: usize, j: usize| self.points[j][i] + (to.points[j][i] - self.points[j][i]) * part;
+        Self { points: std::array::from_fn(|j| std::array::from_fn(|i| at(i, j))) }
+    }
 
-/// Returns the increment towards the closest point, and true if it is that of Newton's method.
-fn increment(d: &Vector3<f64>, values: &SurfaceValues, at: [f64; 2]) -> ([f64; 2], bool) {
-    let (gradient, bent, metric) = derivatives(d, values);
-    match are_free(&gradient, at) {
-        [true, true] => {
-            let is_convex = bent[(0, 0)] > CONVEX * metric[(0, 0)]
-                && bent.determinant() > CONVEX * CONVEX * metric.determinant();
-            let matrix = if is_convex { bent } else { metric };
-            let step = matrix.try_inverse().map_or_else(Vector2::zeros, |inverse| inverse * gradient);
-            ([step.x, step.y], is_convex)
-        }
-        [false, false] => ([0.0; 2], true),
-        [first, _] => {
-            let k = usize::from(!first);
-            let is_convex = bent[(k, k)] > CONVEX * metric[(k, k)];
-            let divisor = if is_convex { bent[(k, k)] } else { metric[(k, k)] };
-            let mut step = [0.0; 2];
-            step[k] = gradient[k] / divisor;
-            (step, is_convex)
-        }
+    fn distance(&self, point: &Vector3<f64>) -> f64 {
+        (point - self.point(self.closest(point))).norm()
     }
 }
 
@@ -168,6 +88,7 @@ fn bernstein(x: f64) -> [[f64; 4]; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::kinematics::derivatives;
     use crate::shells::VECTORS;
 
     /// Linear congruential generator of numbers in [−1, 1).
@@ -217,7 +138,7 @@ mod tests {
         }
     }
 
-    /// Closest points are nearer than all points of a grid, and stationary in the free directions.
+    /// Closest points are nearer than all points of a grid, and stationary along parameters that are not at a bound.
     #[test]
     fn closest_points_are_closest() {
         let (mut seed, q, mut inside) = (17, [0.0; 3 * VECTORS], 0);
@@ -232,9 +153,9 @@ mod tests {
             let nearest = places.map(|at| (p - form.point(at)).norm()).fold(f64::INFINITY, f64::min);
             assert!(d.norm() <= nearest + 1e-12, "{at:?}: {} > {nearest}", d.norm());
             let (gradient, _, _) = derivatives(&d, &form.at(at));
-            let free = are_free(&gradient, at);
-            assert!((0..2).all(|k| !free[k] || gradient[k].abs() < 1e-9), "{at:?}: {gradient}");
-            inside += usize::from(free == [true; 2]);
+            let is_inner = at.map(|x| x > 0.0 && x < 1.0);
+            assert!((0..2).all(|k| !is_inner[k] || gradient[k].abs() < 1e-9), "{at:?}: {gradient}");
+            inside += usize::from(is_inner == [true; 2]);
         }
         assert!(inside > 50, "{inside}");
     }

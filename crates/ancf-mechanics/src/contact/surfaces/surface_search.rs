@@ -1,28 +1,27 @@
+use std::collections::BTreeSet;
 use std::ops::Range;
 use std::sync::Arc;
 
 use ancf_solver::equations::{ContactGroup, ContactPair, ContactSearch, State, Term};
 use nalgebra::Vector3;
 
-use super::bicubic_surface::BicubicSurface;
-use super::edge_planes::EdgePlanes;
-use super::surface_contact::SurfaceContact;
+use super::target::{SurfaceTarget, TargetSurface, hull};
 use crate::contact::parts::{
-    AlignedBox, BoxTree, ContactGeometry, ContactPoint, Foot, JOINED_OVERLAP, MAX_SAMPLES, SMALLEST_DISTANCE,
-    SPACING, SurfaceGeometry,
+    AlignedBox, BoxTree, ContactGeometry, ContactPoint, JOINED_OVERLAP, MAX_SAMPLES, SMALLEST_DISTANCE,
+    SPACING,
 };
 use crate::laws::ContactLaw;
 
-/// Contact search between points of bodies and the surfaces of thin shells. A pair is a point and an element of a shell, a group
+/// Contact search between points of bodies and the surfaces of shells of one kind. A pair is a point and an element of a shell, a group
 /// is the points of an element of a body and an element of a shell.
 ///
 /// Pairs that overlap in the initial state by more than 1 % of the radii count as joined and have no contact. Examples are the
 /// points of an element and the element itself, or a beam on a shell.
 #[derive(Debug)]
-pub struct SurfaceContacts {
+pub struct SurfaceContacts<T> {
     sources: Vec<PointSource>,
     points: Vec<ContactPoint>,
-    targets: Vec<Target>,
+    targets: Vec<Target<T>>,
     law: ContactLaw,
     joined: Vec<ContactPair>,
 }
@@ -30,22 +29,24 @@ pub struct SurfaceContacts {
 /// Points of an element of a body.
 #[derive(Debug)]
 struct PointSource {
+    body: usize,
     points: Range<usize>,
     radius: f64,
 }
 
 /// Element of a shell.
 #[derive(Debug)]
-struct Target {
-    geometry: SurfaceGeometry,
+struct Target<T> {
+    shell: usize,
+    geometry: T,
     radius: f64,
 }
 
 /// Source and target.
 type Candidate = [usize; 2];
 
-impl SurfaceContacts {
-    /// Creates the search for the points of some bodies and the elements of some thin shells.
+impl<T: SurfaceTarget> SurfaceContacts<T> {
+    /// Creates the search for the points of some bodies and the elements of some shells.
     ///
     /// Pairs that overlap in a state are joined.
     pub fn new(
@@ -55,19 +56,20 @@ impl SurfaceContacts {
         begin: &State,
     ) -> Self {
         let (mut sources, mut points) = (Vec::new(), Vec::new());
-        for body in bodies {
+        for (number, body) in bodies.iter().enumerate() {
             for part in body.points.chunks(body.count.max(1)) {
                 let first = points.len();
                 points.extend_from_slice(part);
-                sources.push(PointSource { points: first..points.len(), radius: body.radius });
+                let points = first..points.len();
+                sources.push(PointSource { body: number, points, radius: body.radius });
             }
         }
-        let of = |shell: &ContactGeometry| {
+        let of = |(number, shell): (usize, &ContactGeometry)| {
             let radius = shell.radius;
-            let target = move |geometry: &SurfaceGeometry| Target { geometry: geometry.clone(), radius };
-            shell.surfaces.iter().map(target).collect::<Vec<_>>()
+            let target = move |geometry: &T| Target { shell: number, geometry: geometry.clone(), radius };
+            T::of(shell).iter().map(target).collect::<Vec<_>>()
         };
-        let targets = shells.iter().flat_map(of).collect();
+        let targets = shells.iter().enumerate().flat_map(of).collect();
         let mut search = Self { sources, points, targets, law, joined: Vec::new() };
         search.joined = search.overlapping(begin);
         search
@@ -78,16 +80,30 @@ impl SurfaceContacts {
         let (positions, surfaces, mut found) = (self.positions(s), self.surfaces(s), Vec::new());
         self.visit_candidates(&positions, &surfaces, 0.0, |[source, target]| {
             let limit = (1.0 - JOINED_OVERLAP) * self.radii([source, target]);
-            let hull = surfaces[target].hull(limit);
+            let hull = hull(&surfaces[target], limit);
             for i in self.sources[source].points.clone() {
                 let (point, surface) = (&positions[i], &surfaces[target]);
-                if hull.contains(point) && (point - surface.point(surface.closest(point))).norm() < limit {
+                if hull.contains(point) && surface.distance(point) < limit {
                     found.push([i as u32, target as u32]);
                 }
             }
         });
         found.sort_unstable();
         found
+    }
+
+    /// Returns the bodies and shells with joined points, by their numbers in the lists, in ascending order.
+    pub fn joined_bodies(&self) -> Vec<[usize; 2]> {
+        let of = |[point, target]: &ContactPair| {
+            [self.sources[self.source(*point as usize)].body, self.targets[*target as usize].shell]
+        };
+        let pairs: BTreeSet<[usize; 2]> = self.joined.iter().map(of).collect();
+        pairs.into_iter().collect()
+    }
+
+    /// Returns the source of a point.
+    fn source(&self, point: usize) -> usize {
+        self.sources.partition_point(|source| source.points.end <= point)
     }
 
     /// Returns the sum of the radii.
@@ -103,16 +119,15 @@ impl SurfaceContacts {
         self.points.iter().map(|point| point.place.value(s)).collect()
     }
 
-    fn surfaces(&self, s: &State) -> Vec<BicubicSurface> {
-        let of = |target: &Target| BicubicSurface::new(&target.geometry.surface, &s.q, &Vector3::zeros());
-        self.targets.iter().map(of).collect()
+    fn surfaces(&self, s: &State) -> Vec<T::Surface> {
+        self.targets.iter().map(|target| target.geometry.surface(s)).collect()
     }
 
     /// Visits the sources and targets whose boxes are nearer than the sum of their radii and `margin` times this sum.
     fn visit_candidates(
         &self,
         positions: &[Vector3<f64>],
-        surfaces: &[BicubicSurface],
+        surfaces: &[T::Surface],
         margin: f64,
         visit: impl FnMut(Candidate),
     ) {
@@ -120,7 +135,7 @@ impl SurfaceContacts {
             AlignedBox::around(&positions[source.points.clone()], source.radius * (1.0 + margin))
         };
         let of_target =
-            |(surface, target): (&BicubicSurface, &Target)| surface.hull(target.radius * (1.0 + margin));
+            |(surface, target): (&T::Surface, &Target<T>)| hull(surface, target.radius * (1.0 + margin));
         let sources = self.sources.iter().map(of_source);
         self.visit_pairs(sources.chain(surfaces.iter().zip(&self.targets).map(of_target)).collect(), visit);
     }
@@ -140,26 +155,19 @@ impl SurfaceContacts {
         &self,
         candidate @ [source, target]: Candidate,
         positions: &[Vector3<f64>],
-        surface: &BicubicSurface,
+        surface: &T::Surface,
         mut visit: impl FnMut(usize, f64),
     ) {
-        let (radii, free) = (self.radii(candidate), self.targets[target].geometry.free);
-        let (hull, mut planes) = (surface.hull(2.0 * radii), None);
-        for i in self.sources[source].points.clone() {
-            let point = &positions[i];
-            if !hull.contains(point) || self.is_joined(i, target) {
-                continue;
-            }
-            if planes.get_or_insert_with(|| EdgePlanes::new(surface, free, radii)).are_passed(point) {
-                continue;
-            }
-            if let Some(foot) = Foot::on_surface(point, surface, free) {
-                let distance = foot.d.norm() / radii - 1.0;
-                if distance <= 1.0 {
-                    visit(i, distance);
-                }
-            }
-        }
+        let radii = self.radii(candidate);
+        let hull = hull(surface, 2.0 * radii);
+        let places = self.sources[source].points.clone().map(|i| (i, positions[i]));
+        let mut near = places.filter(|(i, point)| hull.contains(point) && !self.is_joined(*i, target));
+        let geometry = &self.targets[target].geometry;
+        let first = target - geometry.number();
+        let is_joined = |i: usize, element: usize| self.is_joined(i, first + element);
+        geometry.visit_near(surface, radii, &mut near, &is_joined, &mut |i, distance| {
+            visit(i, distance / radii - 1.0);
+        });
     }
 
     /// Visits the near points of all candidates with their distances.
@@ -179,7 +187,7 @@ impl SurfaceContacts {
         let ends = [from, to].map(|s| (self.positions(s), self.surfaces(s)));
         let [(starts, before), (stops, after)] = &ends;
         let of_points = starts.iter().zip(stops).map(|(a, b)| (b - a).norm()).fold(0.0, f64::max);
-        let nets = before.iter().zip(after).flat_map(|(a, b)| a.all_points().zip(b.all_points()));
+        let nets = before.iter().zip(after).flat_map(|(a, b)| a.hull_points().iter().zip(b.hull_points()));
         let of_nets = nets.map(|(a, b)| (b - a).norm()).fold(0.0, f64::max);
         let least = |radii: &mut dyn Iterator<Item = f64>| radii.fold(f64::INFINITY, f64::min);
         let radii = least(&mut self.sources.iter().map(|source| source.radius))
@@ -192,8 +200,9 @@ impl SurfaceContacts {
             let all: Vec<_> = starts[places.clone()].iter().chain(&stops[places]).copied().collect();
             AlignedBox::around(&all, source.radius)
         };
-        let of_target =
-            |k: usize| before[k].hull(self.targets[k].radius).with(&after[k].hull(self.targets[k].radius));
+        let of_target = |k: usize| {
+            hull(&before[k], self.targets[k].radius).with(&hull(&after[k], self.targets[k].radius))
+        };
         let targets = (0..self.targets.len()).map(of_target);
         let boxes = self.sources.iter().map(of_source).chain(targets).collect();
         self.visit_pairs(boxes, |candidate @ [source, target]| {
@@ -203,7 +212,7 @@ impl SurfaceContacts {
                     continue;
                 }
                 let moved = stops[i] - starts[i];
-                let net = before[target].all_points().zip(after[target].all_points());
+                let net = before[target].hull_points().iter().zip(after[target].hull_points());
                 let relative = net.map(|(a, b)| (moved - (b - a)).norm()).fold(0.0, f64::max);
                 let count = (relative / (SPACING * radii)).ceil().min(MAX_SAMPLES);
                 if count <= 1.0 {
@@ -212,7 +221,7 @@ impl SurfaceContacts {
                 let distance = |part: f64| {
                     let surface = before[target].between(&after[target], part);
                     let point = starts[i] + moved * part;
-                    (point - surface.point(surface.closest(&point))).norm() / radii
+                    surface.distance(&point) / radii
                 };
                 let [first, last] = [0.0, 1.0].map(distance);
                 let parts = (1..count as usize).map(|k| k as f64 / count);
@@ -226,7 +235,7 @@ impl SurfaceContacts {
     }
 }
 
-impl ContactSearch for SurfaceContacts {
+impl<T: SurfaceTarget> ContactSearch for SurfaceContacts<T> {
     fn near(&self, s: &State) -> Vec<(ContactPair, f64)> {
         let mut near = Vec::new();
         self.visit_near(s, |[_, target], i, distance| near.push(([i as u32, target as u32], distance)));
@@ -277,21 +286,23 @@ impl ContactSearch for SurfaceContacts {
 
     fn term(&self, [point, target]: ContactPair) -> Arc<dyn Term> {
         let (point, target) = (point as usize, target as usize);
-        let source = self.sources.partition_point(|source| source.points.end <= point);
-        Arc::new(self.contact(&self.points[point..=point], [source, target]))
+        self.contact(vec![point], [self.source(point), target])
     }
 
     fn group_term(&self, [source, target]: ContactGroup) -> Arc<dyn Term> {
         let candidate @ [source, target] = [source as usize, target as usize];
         let open = self.sources[source].points.clone().filter(|i| !self.is_joined(*i, target));
-        let points: Vec<ContactPoint> = open.map(|i| self.points[i].clone()).collect();
-        Arc::new(self.contact(&points, candidate))
+        self.contact(open.collect(), candidate)
     }
 }
 
-impl SurfaceContacts {
-    fn contact(&self, points: &[ContactPoint], candidate: Candidate) -> SurfaceContact {
-        let SurfaceGeometry { surface, free } = &self.targets[candidate[1]].geometry;
-        SurfaceContact::new(points, surface, *free, self.radii(candidate), self.law)
+impl<T: SurfaceTarget> SurfaceContacts<T> {
+    /// Creates the contact of points, by their numbers, with an element.
+    fn contact(&self, numbers: Vec<usize>, candidate @ [_, target]: Candidate) -> Arc<dyn Term> {
+        let points: Vec<ContactPoint> = numbers.iter().map(|i| self.points[*i].clone()).collect();
+        let geometry = &self.targets[target].geometry;
+        let first = target - geometry.number();
+        let is_joined = |i: usize, element: usize| self.is_joined(numbers[i], first + element);
+        geometry.contact(&points, &is_joined, self.radii(candidate), self.law)
     }
 }

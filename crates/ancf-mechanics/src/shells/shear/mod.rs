@@ -15,7 +15,7 @@ mod topology;
 
 pub use directors::{directors, stress_axis};
 pub use face::Face;
-pub(crate) use face::Shape;
+pub(crate) use face::{NODES, Shape};
 pub use mesh::{ShearShellMesh, SurfacePlace};
 pub use profile::ShearMedium;
 pub use shell_place::ShellPlace;

@@ -2,9 +2,7 @@ use nalgebra::{Matrix2, Vector2, Vector3};
 
 use super::face::{Face, NODES, Shape};
 use super::mesh::SurfacePlace;
-
-/// Iterations of the projection on an element.
-const ITERATIONS: usize = 20;
+use crate::kinematics::closest_point;
 
 /// Point of a mesh nearest to a given point.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -40,35 +38,23 @@ fn project_on_triangle(point: &Vector3<f64>, x: &[Vector3<f64>]) -> [f64; 2] {
     edges.into_iter().min_by(|(_, a), (_, b)| a.total_cmp(b)).map_or([0.0; 2], |(at, _)| at)
 }
 
-/// Nearest point of a bilinear element, by Newton's method with ξ and η in the unit square.
+/// Nearest point of a bilinear element.
 fn project_on_quad(point: &Vector3<f64>, x: &[Vector3<f64>]) -> [f64; 2] {
-    let twist = x[0] - x[1] + x[2] - x[3];
-    let mut at = Vector2::new(0.5, 0.5);
-    for _ in 0..ITERATIONS {
-        let [n, of_x, of_y] = Shape::Quad.values([at.x, at.y]);
-        let (gap, t, s) = (sum(&n, x) - point, sum(&of_x, x), sum(&of_y, x));
-        let mixed = t.dot(&s) + gap.dot(&twist);
-        let (hessian, gradient) =
-            (Matrix2::new(t.dot(&t), mixed, mixed, s.dot(&s)), Vector2::new(gap.dot(&t), gap.dot(&s)));
-        let gauss = Matrix2::new(t.dot(&t), t.dot(&s), t.dot(&s), s.dot(&s));
-        let matrix = if hessian.determinant() > 0.1 * gauss.determinant() { hessian } else { gauss };
-        let Some(inverse) = matrix.try_inverse() else { break };
-        let mut step = -(inverse * gradient);
-        // At a bound, the free direction alone is minimised.
-        for i in 0..2 {
-            if (at[i] <= 0.0 && step[i] < 0.0) || (at[i] >= 1.0 && step[i] > 0.0) {
-                step[i] = 0.0;
-                step[1 - i] = -gradient[1 - i] / matrix[(1 - i, 1 - i)];
-            }
-        }
-        let next = (at + step).map(|x| x.clamp(0.0, 1.0));
-        let change = (next - at).amax();
-        at = next;
-        if change < 1e-15 {
-            break;
+    let (bend, twist) = (Vector3::zeros(), x[0] - x[1] + x[2] - x[3]);
+    closest_point(point, [0.5; 2], |at| {
+        let [n, of_x, of_y] = Shape::Quad.values(at);
+        [sum(&n, x), sum(&of_x, x), sum(&of_y, x), bend, bend, twist]
+    })
+}
+
+impl Shape {
+    /// Finds (ξ, η) of the nearest point of an element, for the positions of its nodes.
+    pub(crate) fn nearest(self, point: &Vector3<f64>, x: &[Vector3<f64>]) -> [f64; 2] {
+        match self {
+            Self::Triangle => project_on_triangle(point, x),
+            Self::Quad => project_on_quad(point, x),
         }
     }
-    [at.x, at.y]
 }
 
 impl NearestPoint {
@@ -82,10 +68,7 @@ impl NearestPoint {
             if best.is_some_and(|best| (point - middle).norm() - radius > best.distance) {
                 continue;
             }
-            let at = match own.shape() {
-                Shape::Triangle => project_on_triangle(point, &x),
-                Shape::Quad => project_on_quad(point, &x),
-            };
+            let at = own.shape().nearest(point, &x);
             let distance = (sum(&own.weights(at), &x) - point).norm();
             if best.is_none_or(|best| distance < best.distance) {
                 best = Some(Self { place: SurfacePlace { element, at: at.map(snapped) }, distance });

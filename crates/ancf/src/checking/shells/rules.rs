@@ -277,7 +277,7 @@ fn rules_of_probes(model: &IndexedModel<'_>) -> Vec<Finding> {
     on_shells.filter_map(rule).collect()
 }
 
-/// Rejects obstacles on shells, and contacts of bodies with each other that would include shells with shear.
+/// Rejects obstacles on shells, and open lists of bodies in contact with each other in models with a shell and a rigid body with a surface.
 fn rules_of_contacts(model: &IndexedModel<'_>) -> Vec<Finding> {
     let contacts = model.contacts.iter().enumerate();
     let rule = |(i, contact): (usize, &crate::model::Contact)| {
@@ -288,12 +288,10 @@ fn rules_of_contacts(model: &IndexedModel<'_>) -> Vec<Finding> {
                 finding(format!("{path}.with.on.body"), "a shell", expected).rests_on(["bodies".into()]),
             );
         }
-        let other = model.bodies.iter().find_map(|body| match body {
-            Body::ShearShell(_) => Some("a shell with shear"),
-            _ => body.surface().map(|_| "a rigid body with a `surface`"),
-        });
+        let other = "a rigid body with a `surface`";
+        let has_other = model.bodies.iter().any(|body| body.surface().is_some());
         let is_open = contact.bodies.is_empty() && contact.with.obstacle().is_none();
-        other.filter(|_| is_open).map(|other| {
+        (is_open && has_other).then(|| {
             let expected = format!("the names of the bodies in contact: {other} touches obstacles only");
             let found = format!("no `bodies` in a model with a shell and {other}");
             let error = finding(path, found, expected);

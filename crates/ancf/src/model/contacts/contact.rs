@@ -5,7 +5,7 @@ use super::surface::ContactSurface;
 use crate::units::Scaled;
 
 /// Contact of bodies with an obstacle or with each other. Beams and cables are round tubes about their axes, and shells have their
-/// thickness. Rigid bodies and point masses have the surface that they state. They and shells with shear touch obstacles only.
+/// thickness. Rigid bodies and point masses have the surface that they state. They touch obstacles only.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(deny_unknown_fields)]
 pub struct Contact {

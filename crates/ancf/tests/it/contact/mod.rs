@@ -3,6 +3,8 @@
 mod bounces;
 mod cables;
 mod crossing;
+mod face_sums;
+mod faceted_shells;
 mod forces;
 mod models;
 mod mutual_shells;

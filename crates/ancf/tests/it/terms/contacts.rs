@@ -2,12 +2,15 @@
 
 use ancf::mechanics::bodies::BeamMesh;
 use ancf::mechanics::contact::{
-    BeamContact, ContactLaw, ContactPoint, Obstacle, ObstacleContact, ObstacleShape, SurfaceContact,
+    BeamContact, ContactGeometry, ContactLaw, ContactPoint, FaceContact, Obstacle, ObstacleContact,
+    ObstacleShape, ThinContact,
 };
 use ancf::mechanics::kinematics::Attachment;
-use ancf::mechanics::shells::{ShellMedium, ShellMesh, ShellSection};
+use ancf::mechanics::shells::{Face, ShearShellMesh, ShellMedium, ShellMesh, ShellSection};
 use ancf::solver::equations::Term;
 use nalgebra::Vector3;
+
+use super::shear_shells::medium;
 
 /// Mechanism of energy loss.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -55,7 +58,7 @@ fn surface_contacts(point: &ContactPoint, at: Vector3<f64>, law: ContactLaw) -> 
         let target = shell(at, shift);
         let (surface, free) = target.element_surfaces().next().unwrap();
         let contact =
-            |point: &ContactPoint| SurfaceContact::new(std::slice::from_ref(point), &surface, free, 3.0, law);
+            |point: &ContactPoint| ThinContact::new(std::slice::from_ref(point), &surface, free, 3.0, law);
         // Both shells have the same coordinates.
         let own = ContactPoint::new(other.clone(), 0.02);
         vec![
@@ -64,6 +67,45 @@ fn surface_contacts(point: &ContactPoint, at: Vector3<f64>, law: ContactLaw) -> 
         ]
     };
     places.into_iter().flat_map(of).collect()
+}
+
+/// Shear-deformable shell over the surface of [`shell`], of 2 × 2 quadrilaterals, or of triangles.
+fn faceted_shell(at: Vector3<f64>, [x, y]: [f64; 2], is_split: bool) -> ShearShellMesh {
+    let point = |i: usize, j: usize| {
+        let [u, v] = [i, j].map(|k| k as f64 / 2.0);
+        at + Vector3::new(x - 1.5, y - 1.5, -1.3)
+            + Vector3::new(8.0, 0.5, 0.8 - 0.8 * u) * u
+            + Vector3::new(-0.3, 6.0, 0.3 + 0.5 * u) * v
+    };
+    let nodes: Vec<_> = (0..3).flat_map(|j| (0..3).map(move |i| point(i, j))).collect();
+    let split = |k: usize| match is_split {
+        false => vec![Face::Quad([k, k + 1, k + 4, k + 3])],
+        true => vec![Face::Triangle([k, k + 1, k + 4]), Face::Triangle([k, k + 4, k + 3])],
+    };
+    let faces = [0, 1, 3, 4].into_iter().flat_map(split).collect();
+    ShearShellMesh::new(120, &nodes, &[Vector3::z(); 9], faces, &medium(false, [0.0; 2]))
+}
+
+/// Returns contacts of a point of a beam, and of one of a shell, with places of elements that join with kinks: the interior, a free
+/// edge, an inner edge and an inner node.
+fn face_contacts(point: &ContactPoint, at: Vector3<f64>, law: ContactLaw) -> Vec<(String, Box<dyn Term>)> {
+    let places =
+        [("interior", [0.0, 0.6]), ("free edge", [0.2, 2.6]), ("edge", [-3.4, 0.3]), ("node", [-3.4, -2.4])];
+    let of = |((name, shift), is_split): ((&str, [f64; 2]), bool)| -> Vec<(String, Box<dyn Term>)> {
+        let mesh = faceted_shell(at, shift, is_split);
+        // Points of the same shell, beyond the element.
+        let own =
+            ContactPoint::new(shell(at - Vector3::new(0.1, 0.1, -1.2), [0.0; 2]).point([0.2, 0.4]), 0.02);
+        let target = ContactGeometry::shear_shell(&mesh, 1.0, 5);
+        let contact = |point: &ContactPoint| {
+            FaceContact::new(std::slice::from_ref(point), (&target, 0), 3.0, law).expect("an element")
+        };
+        vec![
+            (format!("beam on the {name} of a face, triangle: {is_split}"), Box::new(contact(point))),
+            (format!("shell on the {name} of a face, triangle: {is_split}"), Box::new(contact(&own))),
+        ]
+    };
+    places.into_iter().flat_map(|place| [(place, false), (place, true)]).flat_map(of).collect()
 }
 
 /// Returns contacts with their names and losses: all obstacle shapes on ground and body, beam on beam, points on shells.
@@ -94,7 +136,8 @@ pub(super) fn contacts(a: &BeamMesh, b: &BeamMesh, s: f64) -> Vec<(String, Box<d
             }
         }
         let contact_point = ContactPoint::new(point.clone(), 0.02);
-        let on_shells = surface_contacts(&contact_point, at, law).into_iter();
+        let on_shells = surface_contacts(&contact_point, at, law);
+        let on_shells = on_shells.into_iter().chain(face_contacts(&contact_point, at, law));
         cases.extend(on_shells.map(|(name, term)| (format!("contact: {name}, {what}"), term, loss)));
         for (place, axis) in ["middle", "end"].into_iter().zip(b.element_axes()) {
             let contact = BeamContact::new(&point, &axis, [true; 2], 2.0, 0.02, law);

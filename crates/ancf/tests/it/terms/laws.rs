@@ -162,7 +162,9 @@ fn every_term_satisfies_the_power_balance() {
             let Power { work, dissipation } = term.power(&now);
             let supplied = scalar(s.v.dot(&r) + work - dissipation);
             assert_close(&format!("{name}: power balance"), &stored, &supplied, kind.tolerance());
-            assert!(dissipation >= 0.0, "{name}: dissipation {dissipation:e}");
+            // An element of a mesh subtracts the contacts with its edges that its neighbours add. `contact::face_sums` tests the sum.
+            let is_part = name.contains("of a face");
+            assert!(dissipation >= 0.0 || is_part, "{name}: dissipation {dissipation:e}");
         }
     }
 }

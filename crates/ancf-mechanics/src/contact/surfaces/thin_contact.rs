@@ -1,28 +1,84 @@
+use std::sync::Arc;
+
+use ancf_solver::equations::{State, Term};
 use nalgebra::{Matrix2, Vector3};
 use smallvec::SmallVec;
 
-use super::bicubic_surface::{BicubicSurface, CONVEX, derivatives};
+use super::bicubic_surface::BicubicSurface;
 use super::edge_planes::EdgePlanes;
+use super::target::{SurfaceTarget, hull};
 use crate::contact::parts::{
-    AlignedBox, ClosestContact, ContactPartners, ContactPoint, ContactPose, Foot, FootErrors, FootWeight,
-    PointContact, share, sorted,
+    AlignedBox, ClosestContact, ContactGeometry, ContactPartners, ContactPoint, ContactPose, Foot,
+    FootErrors, FootWeight, PointContact, SurfaceGeometry, share, sorted,
 };
+use crate::kinematics::{CONVEX, derivatives};
 use crate::laws::ContactLaw;
 use crate::shells::{ElementSurface, VECTORS};
 
 /// Contact between points of a body and the middle surface of an element of another or the same thin shell.
-pub type SurfaceContact = ClosestContact<SurfacePartners, 2>;
+///
+/// The surface is smooth across elements. A point belongs to the element that contains its closest point.
+pub type ThinContact = ClosestContact<ThinPartners, 2>;
 
 /// Points of a body and the surface of an element in contact.
 #[derive(Clone, Debug)]
-pub struct SurfacePartners {
+pub struct ThinPartners {
     surface: ElementSurface,
     /// Free edges of the element: ξ = 0 and ξ = 1, η = 0 and η = 1.
     free: [[bool; 2]; 2],
     points: Vec<ContactPoint>,
 }
 
-impl SurfaceContact {
+impl SurfaceTarget for SurfaceGeometry {
+    type Surface = BicubicSurface;
+
+    fn of(shell: &ContactGeometry) -> &[Self] {
+        &shell.surfaces
+    }
+
+    fn surface(&self, s: &State) -> BicubicSurface {
+        BicubicSurface::new(&self.surface, &s.q, &Vector3::zeros())
+    }
+
+    fn visit_near(
+        &self,
+        surface: &BicubicSurface,
+        distance: f64,
+        points: &mut dyn Iterator<Item = (usize, Vector3<f64>)>,
+        _: &dyn Fn(usize, usize) -> bool,
+        visit: &mut dyn FnMut(usize, f64),
+    ) {
+        let mut planes = None;
+        for (i, point) in points {
+            let planes = planes.get_or_insert_with(|| EdgePlanes::new(surface, self.free, distance));
+            if planes.are_passed(&point) {
+                continue;
+            }
+            if let Some(foot) = Foot::on_surface(&point, surface, self.free) {
+                let found = foot.d.norm();
+                if found <= 2.0 * distance {
+                    visit(i, found);
+                }
+            }
+        }
+    }
+
+    fn contact(
+        &self,
+        points: &[ContactPoint],
+        _: &dyn Fn(usize, usize) -> bool,
+        radius: f64,
+        law: ContactLaw,
+    ) -> Arc<dyn Term> {
+        Arc::new(ThinContact::new(points, &self.surface, self.free, radius, law))
+    }
+
+    fn number(&self) -> usize {
+        self.number
+    }
+}
+
+impl ThinContact {
     /// Creates the contact of some points with an element. `radius` is the sum of the radius of the points and half the thickness.
     ///
     /// `free` marks the edges ξ = 0 and ξ = 1, and η = 0 and η = 1, beyond which the shell does not continue.
@@ -37,7 +93,7 @@ impl SurfaceContact {
         let coordinates = sorted(of_points.chain(surface.coordinates()));
         let local = |point: &ContactPoint| point.at(point.place.within(&coordinates));
         let points = points.iter().map(local).collect();
-        let partners = SurfacePartners { surface: surface.within(&coordinates), free, points };
+        let partners = ThinPartners { surface: surface.within(&coordinates), free, points };
         Self { partners, coordinates, radius, law }
     }
 }
@@ -81,8 +137,8 @@ impl Foot<2> {
 
 /// Geometry of a contact in a state.
 #[derive(Debug)]
-pub struct SurfacePose<'a> {
-    partners: &'a SurfacePartners,
+pub struct ThinPose<'a> {
+    partners: &'a ThinPartners,
     radius: f64,
     law: &'a ContactLaw,
     q: &'a [f64],
@@ -93,25 +149,25 @@ pub struct SurfacePose<'a> {
     planes: EdgePlanes,
 }
 
-impl ContactPartners<2> for SurfacePartners {
-    type Pose<'a> = SurfacePose<'a>;
+impl ContactPartners<2> for ThinPartners {
+    type Pose<'a> = ThinPose<'a>;
 
-    fn pose<'a>(&'a self, q: &'a [f64], (radius, law): (f64, &'a ContactLaw)) -> SurfacePose<'a> {
+    fn pose<'a>(&'a self, q: &'a [f64], (radius, law): (f64, &'a ContactLaw)) -> ThinPose<'a> {
         let origin = self.surface.first_node(q);
         let surface = BicubicSurface::new(&self.surface, q, &origin);
-        let (hull, planes) = (surface.hull(radius), EdgePlanes::new(&surface, self.free, radius));
-        SurfacePose { partners: self, radius, law, q, origin, surface, hull, planes }
+        let (hull, planes) = (hull(&surface, radius), EdgePlanes::new(&surface, self.free, radius));
+        ThinPose { partners: self, radius, law, q, origin, surface, hull, planes }
     }
 }
 
-impl SurfacePose<'_> {
+impl ThinPose<'_> {
     fn point(&self, i: usize) -> Vector3<f64> {
         let place = &self.partners.points[i].place;
         place.reference() - self.origin + place.sum(self.q)
     }
 }
 
-impl ContactPose<2> for SurfacePose<'_> {
+impl ContactPose<2> for ThinPose<'_> {
     fn visit_near(&self, visit: &mut dyn FnMut([usize; 2])) {
         for i in 0..self.partners.points.len() {
             let point = self.point(i);

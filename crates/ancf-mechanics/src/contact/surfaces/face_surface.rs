@@ -1,0 +1,133 @@
+use nalgebra::{Matrix2, Vector3};
+use smallvec::SmallVec;
+
+use super::target::TargetSurface;
+use crate::contact::parts::{FaceGeometry, FacePart, Foot, PartWeights};
+use crate::shells::{NODES, Shape};
+
+/// Middle surface of an element of a shear-deformable shell in a state, linear or bilinear between its nodes.
+#[derive(Clone, Debug)]
+pub struct FaceSurface {
+    shape: Shape,
+    nodes: SmallVec<[Vector3<f64>; NODES]>,
+}
+
+/// Distance from the third edge of a triangle that counts as rounding.
+const ON_EDGE: f64 = 8.0 * f64::EPSILON;
+
+/// Sum of weights below which it is a rounding error.
+const NO_WEIGHT: f64 = 1e-12;
+
+impl FaceSurface {
+    /// Evaluates the surface for coordinates q, relative to an origin.
+    pub(super) fn new(geometry: &FaceGeometry, q: &[f64], origin: &Vector3<f64>) -> Self {
+        let node = |(first, reference): &(usize, Vector3<f64>)| {
+            reference - origin + Vector3::new(q[*first], q[*first + 1], q[*first + 2])
+        };
+        Self { shape: geometry.shape, nodes: geometry.nodes.iter().map(node).collect() }
+    }
+
+    /// Returns r, r_ξ and r_η at (ξ, η).
+    fn values(&self, at: [f64; 2]) -> [Vector3<f64>; 3] {
+        self.shape.values(at).map(|weights| self.nodes.iter().zip(weights).map(|(x, w)| x * w).sum())
+    }
+
+    /// Returns (ξ, η) of the closest point of a part.
+    fn closest(&self, part: FacePart, point: &Vector3<f64>) -> [f64; 2] {
+        let corners = self.shape.corners();
+        match part {
+            FacePart::Surface => self.shape.nearest(point, &self.nodes),
+            FacePart::Edge(k) => {
+                let [a, b] = [k, (k + 1) % self.nodes.len()];
+                let edge = self.nodes[b] - self.nodes[a];
+                let along = ((point - self.nodes[a]).dot(&edge) / edge.norm_squared()).clamp(0.0, 1.0);
+                [0, 1].map(|i| corners[a][i] + (corners[b][i] - corners[a][i]) * along)
+            }
+            FacePart::Node(k) => corners[k],
+        }
+    }
+
+    /// Returns the parts nearer to a point than a distance, without those whose weights at a common closest point have the sum 0.
+    pub(super) fn acting_parts(
+        &self,
+        weights: &PartWeights,
+        point: &Vector3<f64>,
+        distance: f64,
+    ) -> SmallVec<[FacePart; FacePart::COUNT]> {
+        let (mut sums, mut near) = ([0.0; FacePart::COUNT], SmallVec::<[_; FacePart::COUNT]>::new());
+        for (number, weight) in weights.iter().enumerate().filter(|(_, weight)| **weight != 0.0) {
+            let part = FacePart::new(number);
+            let at = self.closest(part, point);
+            if (point - self.values(at)[0]).norm() < distance {
+                let place = self.part_at(at).number();
+                sums[place] += weight;
+                near.push((part, place));
+            } else if part == FacePart::Surface {
+                break;
+            }
+        }
+        near.into_iter().filter(|(_, place)| sums[*place].abs() > NO_WEIGHT).map(|(part, _)| part).collect()
+    }
+
+    /// Returns the smallest part that contains a place.
+    fn part_at(&self, at: [f64; 2]) -> FacePart {
+        match self.edges_at(at)[..] {
+            [] => FacePart::Surface,
+            [edge] => FacePart::Edge(edge),
+            // The first and the last edge meet at the first node.
+            [first, second, ..] => FacePart::Node(if first + 1 == second { second } else { 0 }),
+        }
+    }
+
+    /// Finds the foot of a point on a part of the element.
+    pub(super) fn foot(&self, part: FacePart, point: &Vector3<f64>) -> Foot<2> {
+        let at = self.closest(part, point);
+        let [r, x, y] = self.values(at);
+        let d = point - r;
+        let compliance = match self.edges_at(at)[..] {
+            [] => {
+                let twist = match self.shape {
+                    Shape::Triangle => Vector3::zeros(),
+                    Shape::Quad => self.nodes[0] - self.nodes[1] + self.nodes[2] - self.nodes[3],
+                };
+                let mixed = x.dot(&y) - d.dot(&twist);
+                let bent = Matrix2::new(x.dot(&x), mixed, mixed, y.dot(&y));
+                bent.try_inverse().unwrap_or_else(Matrix2::zeros)
+            }
+            [edge] => {
+                // Edges are straight.
+                let [from, to] = [edge, (edge + 1) % self.nodes.len()].map(|k| self.shape.corners()[k]);
+                let along = [to[0] - from[0], to[1] - from[1]];
+                let slope = x * along[0] + y * along[1];
+                Matrix2::from_fn(|a, b| along[a] * along[b]) / slope.norm_squared()
+            }
+            _ => Matrix2::zeros(),
+        };
+        let compliance = [0, 1].map(|a| [0, 1].map(|b| compliance[(a, b)]));
+        Foot { at, share: 1.0, d, slopes: [x, y], compliance }
+    }
+
+    /// Returns the edges on which a place is: none inside, two at a node.
+    fn edges_at(&self, [x, y]: [f64; 2]) -> SmallVec<[usize; 2]> {
+        let edges: &[bool] = match self.shape {
+            Shape::Triangle => &[y <= 0.0, 1.0 - x - y <= ON_EDGE, x <= 0.0],
+            Shape::Quad => &[y <= 0.0, x >= 1.0, y >= 1.0, x <= 0.0],
+        };
+        (0..edges.len()).filter(|k| edges[*k]).collect()
+    }
+}
+
+impl TargetSurface for FaceSurface {
+    fn hull_points(&self) -> &[Vector3<f64>] {
+        &self.nodes
+    }
+
+    fn between(&self, to: &Self, part: f64) -> Self {
+        let nodes = self.nodes.iter().zip(&to.nodes).map(|(a, b)| a + (b - a) * part).collect();
+        Self { shape: self.shape, nodes }
+    }
+
+    fn distance(&self, point: &Vector3<f64>) -> f64 {
+        (point - self.values(self.closest(FacePart::Surface, point))[0]).norm()
+    }
+}

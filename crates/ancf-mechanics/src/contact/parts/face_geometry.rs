@@ -98,6 +98,11 @@ impl FaceGeometry {
         weights
     }
 
+    /// Returns true if a condition holds for an element with a common node.
+    pub(in crate::contact) fn has_neighbour(&self, is_meant: impl Fn(usize) -> bool) -> bool {
+        self.fans.iter().any(|fan| fan.elements.iter().any(|element| is_meant(*element)))
+    }
+
     /// Renumbers the coordinates for a term with the given coordinate list.
     pub(in crate::contact) fn within(&self, coordinates: &[usize]) -> Self {
         let local =

@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 use smallvec::SmallVec;
 
 use super::face_surface::FaceSurface;
-use super::target::{SurfaceTarget, TargetSurface, hull};
+use super::target::{SurfaceTarget, hull};
 use crate::contact::parts::{
     AlignedBox, ClosestContact, ContactGeometry, ContactPartners, ContactPoint, ContactPose, FaceGeometry,
     FacePart, FootErrors, FootWeight, PartWeights, PointContact, sorted,
@@ -46,12 +46,16 @@ impl SurfaceTarget for FaceGeometry {
         visit: &mut dyn FnMut(usize, f64),
     ) {
         for (i, point) in points {
-            let found = surface.distance(&point);
-            if found <= 2.0 * distance
-                && !surface
-                    .acting_parts(&self.weights(|k| is_joined(i, k)), &point, 2.0 * distance)
-                    .is_empty()
-            {
+            let (part, found) = surface.closest_part(&point);
+            if found > 2.0 * distance {
+                continue;
+            }
+            // Only next to joined elements, the sum of the weights of a part can be 0.
+            let acts = part == FacePart::Surface || !self.has_neighbour(|k| is_joined(i, k)) || {
+                let weights = self.weights(|k| is_joined(i, k));
+                !surface.acting_parts(&weights, &point, 2.0 * distance).is_empty()
+            };
+            if acts {
                 visit(i, found);
             }
         }

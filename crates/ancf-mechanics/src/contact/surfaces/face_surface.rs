@@ -47,6 +47,12 @@ impl FaceSurface {
         }
     }
 
+    /// Returns the smallest part that contains the closest point, and the distance.
+    pub(super) fn closest_part(&self, point: &Vector3<f64>) -> (FacePart, f64) {
+        let at = self.closest(FacePart::Surface, point);
+        (self.part_at(at), (point - self.values(at)[0]).norm())
+    }
+
     /// Returns the parts nearer to a point than a distance, without those whose weights at a common closest point have the sum 0.
     pub(super) fn acting_parts(
         &self,
@@ -128,6 +134,6 @@ impl TargetSurface for FaceSurface {
     }
 
     fn distance(&self, point: &Vector3<f64>) -> f64 {
-        (point - self.values(self.closest(FacePart::Surface, point))[0]).norm()
+        self.closest_part(point).1
     }
 }

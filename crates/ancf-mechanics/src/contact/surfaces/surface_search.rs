@@ -24,6 +24,8 @@ pub struct SurfaceContacts<T> {
     targets: Vec<Target<T>>,
     law: ContactLaw,
     joined: Vec<ContactPair>,
+    /// Index of the first joined pair of each point, and last the number of pairs.
+    first_joined: Vec<usize>,
 }
 
 /// Points of an element of a body.
@@ -70,8 +72,11 @@ impl<T: SurfaceTarget> SurfaceContacts<T> {
             T::of(shell).iter().map(target).collect::<Vec<_>>()
         };
         let targets = shells.iter().enumerate().flat_map(of).collect();
-        let mut search = Self { sources, points, targets, law, joined: Vec::new() };
+        let first_joined = vec![0; points.len() + 1];
+        let mut search = Self { sources, points, targets, law, joined: Vec::new(), first_joined };
         search.joined = search.overlapping(begin);
+        let first = |point: usize| search.joined.partition_point(|[i, _]| (*i as usize) < point);
+        search.first_joined = (0..search.first_joined.len()).map(first).collect();
         search
     }
 
@@ -112,7 +117,8 @@ impl<T: SurfaceTarget> SurfaceContacts<T> {
     }
 
     fn is_joined(&self, point: usize, target: usize) -> bool {
-        self.joined.binary_search(&[point as u32, target as u32]).is_ok()
+        let own = &self.joined[self.first_joined[point]..self.first_joined[point + 1]];
+        own.binary_search_by_key(&(target as u32), |[_, other]| *other).is_ok()
     }
 
     fn positions(&self, s: &State) -> Vec<Vector3<f64>> {

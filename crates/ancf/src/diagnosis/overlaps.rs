@@ -22,6 +22,7 @@ pub(super) fn overlap_warning(model: &Model) -> Option<String> {
     let named = loose.iter().take(PAIRS).map(pair).collect::<Vec<_>>().join(", ");
     let others = match loose.len() {
         0 => return None,
+        count if count == PAIRS + 1 => " and another pair".to_owned(),
         count if count > PAIRS => format!(" and {} other pairs", count - PAIRS),
         _ => String::new(),
     };

@@ -17,6 +17,17 @@ pub(super) const PROBLEMS: &[Problem] = &[
         run: strip_on_foundation,
     },
     Problem {
+        name: "strip_on_shell",
+        title: "Long plate strip on a stiff plate of shear-deformable elements, pressed by a line load",
+        source: "Hetényi (1946): w = q/k + P β/(2k) exp(−βx) (cos βx + sin βx), β⁴ = k/4D. The lines of both meshes differ",
+        sketch: r"
+           | P
+  =========v=========   h = 10 mm, E = 1.2e9, ν = 0, k = 1e6 N/m³
+  ===================   q = 50 N/m², P = 2 N/m; both with half of k",
+        goal: "Deflection at the load and at x = 1/β, within 2e-4",
+        run: strip_on_shell,
+    },
+    Problem {
         name: "sinking_plate",
         title: "Plate that sinks flat: drag, added mass and buoyancy of a shell",
         source: "v = v∞ tanh(t/τ), v∞² = 2 (ρ − ρ_f) h g/(ρ_f C), τ = (ρ h + ρ_f a) v∞/((ρ − ρ_f) h g)",
@@ -62,6 +73,67 @@ fn strip_on_foundation() -> Result<Findings, VerificationError> {
         .last("deflection at the load, m", "load.z", exact(0.0), 1e-4)
         .order(4.0)
         .last("deflection at 1/β, m", "beside.z", exact(1.0), 1e-4)
+        .scaled(exact(0.0))
+        .run()
+}
+
+/// Stiff plate `t` of n × 2 quadrilaterals, 0.1 wide and 0.01 thick, with both ends clamped.
+fn stiff_plate(n: usize, length: f64, z: f64) -> String {
+    let (columns, mut nodes, mut elements) = (n + 1, Vec::new(), Vec::new());
+    for j in 0..3 {
+        nodes.extend((0..columns).map(|i| [length * i as f64 / n as f64, 0.05 * f64::from(j), z]));
+    }
+    for first in (0..n).chain(columns..columns + n) {
+        elements.push([first, first + 1, first + 1 + columns, first + columns]);
+    }
+    let clamp = |name: &str, i: usize| {
+        let edge = [i, i + columns, i + 2 * columns];
+        let joint = format!(
+            "[[joints]]\nkind = \"support\"\nname = \"{name}\"\na = {{ body = \"t\", at = {{ edge = \"{name}\" }} }}\n\
+             condition = \"clamped\"\n"
+        );
+        (format!("{name} = {{ edges = [{edge:?}] }}"), joint)
+    };
+    let [(start, of_start), (end, of_end)] = [clamp("start", 0), clamp("end", n)];
+    format!(
+        "[[bodies]]\nkind = \"shear_shell\"\nname = \"t\"\nthickness = 0.01\nmaterial = \"stiff\"\n\
+         mesh = {{ nodes = {nodes:?}, elements = {elements:?}, groups = {{ {start}, {end} }} }}\n{of_start}{of_end}"
+    )
+}
+
+fn strip_on_shell() -> Result<Findings, VerificationError> {
+    let (young, thickness, stiffness) = (1.2e9_f64, 0.01_f64, 1e6);
+    let (pressure, load, transition) = (50.0, 2.0, 1e-6);
+    let beta = (stiffness / (young * thickness.powi(3) / 3.0)).powf(0.25);
+    let length = 9.0 / beta;
+    let rest = pressure / stiffness + 0.5 * transition;
+    let surface =
+        format!("kind = \"flat\", corner = [0, 0, 0], side_u = [{length}, 0, 0], side_v = [0, 0.1, 0]");
+    let model = |elements: u32| {
+        let strip = ShellModel {
+            surface: &surface,
+            elements: [elements, 1],
+            thickness,
+            material: [young, 0.0, 1000.0],
+        };
+        format!(
+            "materials.stiff = {{ density = 1, young = 1e18, poisson = 0 }}\n{strip}{}{}{}{}{}{}\
+             [[loads]]\nkind = \"surface_pressure\"\nbody = \"s\"\npressure = {}\n\
+             [[contacts]]\nwith = {{ kind = \"bodies\" }}\nsurface_stiffness = {stiffness:e}\ntransition = {transition:e}\n\
+             [analysis]\nkind = \"statics\"\n",
+            stiff_plate(elements as usize * 7 / 12, length, rest - thickness),
+            edge("u_start", "\"symmetry\""),
+            edge("u_end", "\"clamped\""),
+            edge_load("edge_force", "u_start", "force", [0.0, 0.0, -0.5 * load]),
+            probe("load", [0.0, 0.5]),
+            probe("beside", [1.0 / 9.0, 0.5]),
+            -pressure,
+        )
+    };
+    let exact = |x: f64| -load * beta / (2.0 * stiffness) * (-x).exp() * (x.cos() + x.sin());
+    Refinement::new("elements", &[12, 24], model)
+        .last("deflection at the load, m", "load.z", exact(0.0), 2e-4)
+        .last("deflection at 1/β, m", "beside.z", exact(1.0), 2e-4)
         .scaled(exact(0.0))
         .run()
 }

@@ -8,6 +8,7 @@ mod faceted_shells;
 mod forces;
 mod models;
 mod mutual_shells;
+mod overlaps;
 mod search;
 mod shells;
 mod surfaces;

@@ -119,7 +119,7 @@ class Contact(Part):
     """Contact of bodies with an obstacle or with each other.
 
     Beams and cables are round tubes about their axes, and shells have their thickness. Rigid bodies and point
-    masses have the surface that they state. They and shells with shear touch obstacles only.
+    masses have the surface that they state. They touch obstacles only.
 
     Attributes
     ----------

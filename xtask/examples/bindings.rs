@@ -10,6 +10,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     let [module, folder] = arguments.as_slice() else {
         return Err("expected the module and the folder".into());
     };
-    Bindgen::new().input_path(module).web(true)?.typescript(false).generate(folder)?;
+    // Names of functions are a tenth of the transferred module.
+    let mut bindings = Bindgen::new();
+    bindings.input_path(module).web(true)?.typescript(false).remove_name_section(true);
+    bindings.generate(folder)?;
     Ok(())
 }

@@ -68,6 +68,9 @@ pub(super) struct Operator<'a> {
     pub(super) interrupt: &'a Interrupt,
 }
 
+/// Largest number of corrections of the constraints of a solution.
+const CLOSINGS: usize = 6;
+
 impl Operator<'_> {
     /// Computes T x.
     pub(super) fn apply(&mut self, x: &[f64]) -> Result<DVector<f64>, EigenError> {
@@ -151,14 +154,21 @@ impl Operator<'_> {
 
     /// Corrects a scaled solution by the rounding errors of its constraints.
     ///
-    /// The pivot of a point mass without stiffness is −σm, close to zero. The position of the mass is then a difference of forces
-    /// divided by this pivot, which leaves the constraints open by more than their own rounding error.
+    /// The pivot of a point mass or a rigid body without stiffness is −σm, close to zero. Its position is then a difference of forces
+    /// divided by this pivot, which leaves the constraints open by more than their own rounding error. A correction has the same relative
+    /// error, so that corrections are repeated while they decrease.
     fn close_constraints(&mut self, x: &mut DVector<f64>, demanded: &[f64]) -> Result<(), EigenError> {
-        let n = self.coordinates;
-        let mut open = DVector::zeros(x.len());
-        open.as_mut_slice()[n..].copy_from_slice(demanded);
-        self.left.constraints().for_each(|(multiplier, c, entry)| open[multiplier] -= entry * x[c]);
-        if open.iter().any(|&open| open != 0.0) {
+        let (n, mut last) = (self.coordinates, f64::INFINITY);
+        for _ in 0..CLOSINGS {
+            let mut open = DVector::zeros(x.len());
+            open.as_mut_slice()[n..].copy_from_slice(demanded);
+            self.left.constraints().for_each(|(multiplier, c, entry)| open[multiplier] -= entry * x[c]);
+            let size = open.norm();
+            // Rounding errors of the constraints themselves remain.
+            if size == 0.0 || size > 0.5 * last {
+                break;
+            }
+            last = size;
             self.factor.solve_increment(self.left, open.as_mut_slice(), &[])?;
             *x += open;
         }

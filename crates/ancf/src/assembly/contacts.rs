@@ -74,11 +74,14 @@ impl IndexedModel<'_> {
 
     /// Pairs of different bodies in contact with each other that overlap in the undeformed state, so that parts of them have no contact.
     pub(crate) fn overlapping_bodies(&self) -> BTreeSet<[usize; 2]> {
-        let mutual = self.contacts.iter().filter(|contact| contact.with.obstacle().is_none());
+        let mutual = || self.contacts.iter().filter(|contact| contact.with.obstacle().is_none());
         let mut pairs = BTreeSet::new();
-        for contact in mutual {
-            let built = self.meshes();
-            let begin = State::rest(built.iter().map(|(_, terms)| terms.coordinates()).sum(), 0);
+        if mutual().next().is_none() {
+            return pairs;
+        }
+        let built = self.meshes();
+        let begin = State::rest(built.iter().map(|(_, terms)| terms.coordinates()).sum(), 0);
+        for contact in mutual() {
             let [(lines, tubes), (shells, surfaces)] = self
                 .contact_bodies(contact, &built)
                 .map(|bodies| bodies.into_iter().unzip::<_, _, Vec<_>, Vec<_>>());

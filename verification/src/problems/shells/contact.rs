@@ -39,41 +39,65 @@ pub(super) const PROBLEMS: &[Problem] = &[
     },
 ];
 
-fn strip_on_foundation() -> Result<Findings, VerificationError> {
-    let (young, thickness, stiffness) = (1.2e9_f64, 0.01_f64, 1e6);
-    let (pressure, load, transition) = (200.0, 2.0, 1e-6);
-    let beta = (stiffness / (young * thickness.powi(3) / 3.0)).powf(0.25);
-    let length = 9.0 / beta;
-    // Depth below the undeformed strip at which the pressure is in equilibrium.
-    let rest = pressure / stiffness + 0.5 * transition;
+/// Young's modulus and thickness of the strip.
+const STRIP: [f64; 2] = [1.2e9, 0.01];
+/// Stiffness k of the contact, and the depth of its transition.
+const FOUNDATION: [f64; 2] = [1e6, 1e-6];
+/// Line load P.
+const LOAD: f64 = 2.0;
+
+/// Decay β of the deflection, β⁴ = k/4D.
+fn decay() -> f64 {
+    let [young, thickness] = STRIP;
+    (FOUNDATION[0] / (young * thickness.powi(3) / 3.0)).powf(0.25)
+}
+
+/// Length of the strip, from the plane of symmetry under the load.
+fn length() -> f64 {
+    9.0 / decay()
+}
+
+/// Depth below the undeformed strip at which a pressure is in equilibrium.
+fn rest(pressure: f64) -> f64 {
+    pressure / FOUNDATION[0] + 0.5 * FOUNDATION[1]
+}
+
+/// Deflection at βx.
+fn deflection(x: f64) -> f64 {
+    -LOAD * decay() / (2.0 * FOUNDATION[0]) * (-x).exp() * (x.cos() + x.sin())
+}
+
+/// Strip under a pressure and the line load, with the probes `load` and `beside`, in contact with a partner.
+fn pressed_strip(elements: u32, pressure: f64, partner: &str) -> String {
+    let ([young, thickness], [stiffness, transition]) = (STRIP, FOUNDATION);
+    let length = length();
     let surface =
         format!("kind = \"flat\", corner = [0, 0, 0], side_u = [{length}, 0, 0], side_v = [0, 0.1, 0]");
-    let model = |elements: u32| {
-        let strip = ShellModel {
-            surface: &surface,
-            elements: [elements, 1],
-            thickness,
-            material: [young, 0.0, 1000.0],
-        };
-        format!(
-            "{strip}{}{}{}{}{}[[loads]]\nkind = \"surface_pressure\"\nbody = \"s\"\npressure = {}\n\
-             [[contacts]]\nwith = {{ kind = \"plane\", point = [0, 0, {}], normal = [0, 0, 1] }}\n\
-             surface_stiffness = {stiffness:e}\ntransition = {transition:e}\n[analysis]\nkind = \"statics\"\n",
-            edge("u_start", "\"symmetry\""),
-            edge("u_end", "\"clamped\""),
-            edge_load("edge_force", "u_start", "force", [0.0, 0.0, -0.5 * load]),
-            probe("load", [0.0, 0.5]),
-            probe("beside", [1.0 / 9.0, 0.5]),
-            -pressure,
-            rest - 0.5 * thickness,
-        )
-    };
-    let exact = |x: f64| -load * beta / (2.0 * stiffness) * (-x).exp() * (x.cos() + x.sin());
+    let strip =
+        ShellModel { surface: &surface, elements: [elements, 1], thickness, material: [young, 0.0, 1000.0] };
+    format!(
+        "{strip}{}{}{}{}{}[[loads]]\nkind = \"surface_pressure\"\nbody = \"s\"\npressure = {}\n\
+         [[contacts]]\nwith = {{ {partner} }}\nsurface_stiffness = {stiffness:e}\ntransition = {transition:e}\n\
+         [analysis]\nkind = \"statics\"\n",
+        edge("u_start", "\"symmetry\""),
+        edge("u_end", "\"clamped\""),
+        edge_load("edge_force", "u_start", "force", [0.0, 0.0, -0.5 * LOAD]),
+        probe("load", [0.0, 0.5]),
+        probe("beside", [1.0 / 9.0, 0.5]),
+        -pressure,
+    )
+}
+
+fn strip_on_foundation() -> Result<Findings, VerificationError> {
+    let pressure = 200.0;
+    let height = rest(pressure) - 0.5 * STRIP[1];
+    let partner = format!("kind = \"plane\", point = [0, 0, {height}], normal = [0, 0, 1]");
+    let model = |elements: u32| pressed_strip(elements, pressure, &partner);
     Refinement::new("elements", &[12, 24], model)
-        .last("deflection at the load, m", "load.z", exact(0.0), 1e-4)
+        .last("deflection at the load, m", "load.z", deflection(0.0), 1e-4)
         .order(4.0)
-        .last("deflection at 1/β, m", "beside.z", exact(1.0), 1e-4)
-        .scaled(exact(0.0))
+        .last("deflection at 1/β, m", "beside.z", deflection(1.0), 1e-4)
+        .scaled(deflection(0.0))
         .run()
 }
 
@@ -102,39 +126,16 @@ fn stiff_plate(n: usize, length: f64, z: f64) -> String {
 }
 
 fn strip_on_shell() -> Result<Findings, VerificationError> {
-    let (young, thickness, stiffness) = (1.2e9_f64, 0.01_f64, 1e6);
-    let (pressure, load, transition) = (50.0, 2.0, 1e-6);
-    let beta = (stiffness / (young * thickness.powi(3) / 3.0)).powf(0.25);
-    let length = 9.0 / beta;
-    let rest = pressure / stiffness + 0.5 * transition;
-    let surface =
-        format!("kind = \"flat\", corner = [0, 0, 0], side_u = [{length}, 0, 0], side_v = [0, 0.1, 0]");
+    let pressure = 50.0;
     let model = |elements: u32| {
-        let strip = ShellModel {
-            surface: &surface,
-            elements: [elements, 1],
-            thickness,
-            material: [young, 0.0, 1000.0],
-        };
-        format!(
-            "materials.stiff = {{ density = 1, young = 1e18, poisson = 0 }}\n{strip}{}{}{}{}{}{}\
-             [[loads]]\nkind = \"surface_pressure\"\nbody = \"s\"\npressure = {}\n\
-             [[contacts]]\nwith = {{ kind = \"bodies\" }}\nsurface_stiffness = {stiffness:e}\ntransition = {transition:e}\n\
-             [analysis]\nkind = \"statics\"\n",
-            stiff_plate(elements as usize * 7 / 12, length, rest - thickness),
-            edge("u_start", "\"symmetry\""),
-            edge("u_end", "\"clamped\""),
-            edge_load("edge_force", "u_start", "force", [0.0, 0.0, -0.5 * load]),
-            probe("load", [0.0, 0.5]),
-            probe("beside", [1.0 / 9.0, 0.5]),
-            -pressure,
-        )
+        let plate = stiff_plate(elements as usize * 7 / 12, length(), rest(pressure) - STRIP[1]);
+        let strip = pressed_strip(elements, pressure, "kind = \"bodies\"");
+        format!("materials.stiff = {{ density = 1, young = 1e18, poisson = 0 }}\n{strip}{plate}")
     };
-    let exact = |x: f64| -load * beta / (2.0 * stiffness) * (-x).exp() * (x.cos() + x.sin());
     Refinement::new("elements", &[12, 24], model)
-        .last("deflection at the load, m", "load.z", exact(0.0), 2e-4)
-        .last("deflection at 1/β, m", "beside.z", exact(1.0), 2e-4)
-        .scaled(exact(0.0))
+        .last("deflection at the load, m", "load.z", deflection(0.0), 2e-4)
+        .last("deflection at 1/β, m", "beside.z", deflection(1.0), 2e-4)
+        .scaled(deflection(0.0))
         .run()
 }
 

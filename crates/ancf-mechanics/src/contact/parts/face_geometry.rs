@@ -3,12 +3,14 @@ use smallvec::SmallVec;
 
 use crate::shells::{Face, MeshTopology, NODES, Shape, ShearShellMesh};
 
+/// First coordinate and reference position of each node of an element.
+pub(in crate::contact) type FaceNodes = SmallVec<[(usize, Vector3<f64>); NODES]>;
+
 /// Middle surface of an element of a shear-deformable shell, with its neighbours.
 #[derive(Clone, Debug)]
 pub struct FaceGeometry {
     pub(in crate::contact) shape: Shape,
-    /// First coordinate and reference position of each node.
-    pub(in crate::contact) nodes: SmallVec<[(usize, Vector3<f64>); NODES]>,
+    pub(in crate::contact) nodes: FaceNodes,
     /// Number of the element in its shell.
     number: usize,
     /// Element beyond each edge.
@@ -103,12 +105,11 @@ impl FaceGeometry {
         self.fans.iter().any(|fan| fan.elements.iter().any(|element| is_meant(*element)))
     }
 
-    /// Renumbers the coordinates for a term with the given coordinate list.
-    pub(in crate::contact) fn within(&self, coordinates: &[usize]) -> Self {
+    /// Returns the nodes with the coordinates renumbered for a term with the given coordinate list.
+    pub(in crate::contact) fn nodes_within(&self, coordinates: &[usize]) -> FaceNodes {
         let local =
             |first: usize| coordinates.binary_search(&first).expect("the list contains all coordinates");
-        let nodes = self.nodes.iter().map(|(first, reference)| (local(*first), *reference)).collect();
-        Self { nodes, ..self.clone() }
+        self.nodes.iter().map(|(first, reference)| (local(*first), *reference)).collect()
     }
 
     /// Returns the number of the element in its shell.

@@ -8,21 +8,23 @@ use super::face_surface::FaceSurface;
 use super::target::{SurfaceTarget, hull};
 use crate::contact::parts::{
     AlignedBox, ClosestContact, ContactGeometry, ContactPartners, ContactPoint, ContactPose, FaceGeometry,
-    FacePart, FootErrors, FootWeight, PartWeights, PointContact, sorted,
+    FaceNodes, FacePart, FootErrors, FootWeight, PartWeights, PointContact, sorted,
 };
 use crate::laws::ContactLaw;
+use crate::shells::Shape;
 
 /// Contact between points of a body and the middle surface of an element of another or the same shear-deformable shell.
 ///
 /// Elements join with kinks, at which closest points jump. The distance from each element, edge and node has a continuous
-/// derivative. The potential of a point is their sum over elements, less that over inner edges, plus that over inner nodes (Li,
-/// Kaufman and Jiang 2023). Where elements join smoothly it is the potential of the closest point. In a valley, both sides act.
+/// derivative. The potential of a point is their sum over elements, less that over inner edges, plus that over inner nodes (Li et
+/// al. 2023). Where elements join smoothly it is the potential of the closest point. In a valley, both sides act.
 pub type FaceContact = ClosestContact<FacePartners, 2>;
 
 /// Points of a body and an element in contact.
 #[derive(Clone, Debug)]
 pub struct FacePartners {
-    face: FaceGeometry,
+    shape: Shape,
+    nodes: FaceNodes,
     points: Vec<(ContactPoint, PartWeights)>,
 }
 
@@ -34,7 +36,7 @@ impl SurfaceTarget for FaceGeometry {
     }
 
     fn surface(&self, s: &State) -> FaceSurface {
-        FaceSurface::new(self, &s.q, &Vector3::zeros())
+        FaceSurface::new(self.shape, &self.nodes, &s.q, &Vector3::zeros())
     }
 
     fn visit_near(
@@ -105,7 +107,7 @@ impl FaceContact {
         let local =
             |(i, point): (usize, &ContactPoint)| (point.at(point.place.within(&coordinates)), weights(i));
         let points = points.iter().enumerate().map(local).collect();
-        let partners = FacePartners { face: face.within(&coordinates), points };
+        let partners = FacePartners { shape: face.shape, nodes: face.nodes_within(&coordinates), points };
         Self { partners, coordinates, radius, law }
     }
 }
@@ -127,9 +129,9 @@ impl ContactPartners<2> for FacePartners {
     type Pose<'a> = FacePose<'a>;
 
     fn pose<'a>(&'a self, q: &'a [f64], (radius, law): (f64, &'a ContactLaw)) -> FacePose<'a> {
-        let (first, reference) = self.face.nodes[0];
+        let (first, reference) = self.nodes[0];
         let origin = reference + Vector3::new(q[first], q[first + 1], q[first + 2]);
-        let surface = FaceSurface::new(&self.face, q, &origin);
+        let surface = FaceSurface::new(self.shape, &self.nodes, q, &origin);
         let hull = hull(&surface, radius);
         FacePose { partners: self, radius, law, q, origin, surface, hull }
     }
@@ -156,10 +158,10 @@ impl ContactPose<2> for FacePose<'_> {
     fn with_foot(&self, [number, i]: [usize; 2], visit: &mut dyn FnMut(&PointContact<'_, 2>)) {
         let (ContactPoint { place, extent, .. }, part_weights) = &self.partners.points[i];
         let foot = self.surface.foot(FacePart::new(number), &self.point(i));
-        let [values, x, y] = self.partners.face.shape.values(foot.at);
+        let [values, x, y] = self.partners.shape.values(foot.at);
         let of_point =
             place.parts().iter().map(|&(first, place)| FootWeight { first, place, slopes: [0.0; 2] });
-        let nodes = self.partners.face.nodes.iter().enumerate();
+        let nodes = self.partners.nodes.iter().enumerate();
         let of_surface = nodes.map(|(a, (first, _))| FootWeight {
             first: *first,
             place: -values[a],
@@ -171,11 +173,11 @@ impl ContactPose<2> for FacePose<'_> {
     }
 
     fn errors(&self, [_, i]: [usize; 2], at: [f64; 2]) -> FootErrors<2> {
-        let sizes = self.partners.face.shape.values(at).map(|weights| {
+        let sizes = self.partners.shape.values(at).map(|weights| {
             let size = |(first, reference): &(usize, Vector3<f64>)| {
                 reference.norm() + Vector3::new(self.q[*first], self.q[*first + 1], self.q[*first + 2]).norm()
             };
-            let nodes = self.partners.face.nodes.iter().zip(weights);
+            let nodes = self.partners.nodes.iter().zip(weights);
             nodes.map(|(node, weight)| weight.abs() * size(node)).sum::<f64>()
         });
         (self.partners.points[i].0.place.size(self.q) + sizes[0], [sizes[1], sizes[2]])

@@ -2,7 +2,8 @@ use nalgebra::{Matrix2, Vector3};
 use smallvec::SmallVec;
 
 use super::target::TargetSurface;
-use crate::contact::parts::{FaceGeometry, FacePart, Foot, PartWeights};
+use crate::contact::parts::{FaceNodes, FacePart, Foot, PartWeights};
+use crate::kinematics::{SurfaceValues, derivatives};
 use crate::shells::{NODES, Shape};
 
 /// Middle surface of an element of a shear-deformable shell in a state, linear or bilinear between its nodes.
@@ -20,16 +21,16 @@ const NO_WEIGHT: f64 = 1e-12;
 
 impl FaceSurface {
     /// Evaluates the surface for coordinates q, relative to an origin.
-    pub(super) fn new(geometry: &FaceGeometry, q: &[f64], origin: &Vector3<f64>) -> Self {
+    pub(super) fn new(shape: Shape, nodes: &FaceNodes, q: &[f64], origin: &Vector3<f64>) -> Self {
         let node = |(first, reference): &(usize, Vector3<f64>)| {
             reference - origin + Vector3::new(q[*first], q[*first + 1], q[*first + 2])
         };
-        Self { shape: geometry.shape, nodes: geometry.nodes.iter().map(node).collect() }
+        Self { shape, nodes: nodes.iter().map(node).collect() }
     }
 
-    /// Returns r, r_ξ and r_η at (ξ, η).
-    fn values(&self, at: [f64; 2]) -> [Vector3<f64>; 3] {
-        self.shape.values(at).map(|weights| self.nodes.iter().zip(weights).map(|(x, w)| x * w).sum())
+    /// Returns r and its derivatives at (ξ, η).
+    fn values(&self, at: [f64; 2]) -> SurfaceValues {
+        self.shape.surface_values(at, &self.nodes)
     }
 
     /// Returns (ξ, η) of the closest point of a part.
@@ -88,18 +89,11 @@ impl FaceSurface {
     /// Finds the foot of a point on a part of the element.
     pub(super) fn foot(&self, part: FacePart, point: &Vector3<f64>) -> Foot<2> {
         let at = self.closest(part, point);
-        let [r, x, y] = self.values(at);
+        let values = self.values(at);
+        let [r, x, y, ..] = values;
         let d = point - r;
         let compliance = match self.edges_at(at)[..] {
-            [] => {
-                let twist = match self.shape {
-                    Shape::Triangle => Vector3::zeros(),
-                    Shape::Quad => self.nodes[0] - self.nodes[1] + self.nodes[2] - self.nodes[3],
-                };
-                let mixed = x.dot(&y) - d.dot(&twist);
-                let bent = Matrix2::new(x.dot(&x), mixed, mixed, y.dot(&y));
-                bent.try_inverse().unwrap_or_else(Matrix2::zeros)
-            }
+            [] => derivatives(&d, &values).1.try_inverse().unwrap_or_else(Matrix2::zeros),
             [edge] => {
                 // Edges are straight.
                 let [from, to] = [edge, (edge + 1) % self.nodes.len()].map(|k| self.shape.corners()[k]);

@@ -2,7 +2,7 @@ use nalgebra::{Matrix2, Vector2, Vector3};
 
 use super::face::{Face, NODES, Shape};
 use super::mesh::SurfacePlace;
-use crate::kinematics::closest_point;
+use crate::kinematics::{SurfaceValues, closest_point};
 
 /// Point of a mesh nearest to a given point.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,22 +38,24 @@ fn project_on_triangle(point: &Vector3<f64>, x: &[Vector3<f64>]) -> [f64; 2] {
     edges.into_iter().min_by(|(_, a), (_, b)| a.total_cmp(b)).map_or([0.0; 2], |(at, _)| at)
 }
 
-/// Nearest point of a bilinear element.
-fn project_on_quad(point: &Vector3<f64>, x: &[Vector3<f64>]) -> [f64; 2] {
-    let (bend, twist) = (Vector3::zeros(), x[0] - x[1] + x[2] - x[3]);
-    closest_point(point, [0.5; 2], |at| {
-        let [n, of_x, of_y] = Shape::Quad.values(at);
-        [sum(&n, x), sum(&of_x, x), sum(&of_y, x), bend, bend, twist]
-    })
-}
-
 impl Shape {
     /// Finds (ξ, η) of the nearest point of an element, for the positions of its nodes.
     pub(crate) fn nearest(self, point: &Vector3<f64>, x: &[Vector3<f64>]) -> [f64; 2] {
         match self {
             Self::Triangle => project_on_triangle(point, x),
-            Self::Quad => project_on_quad(point, x),
+            Self::Quad => closest_point(point, [0.5; 2], |at| self.surface_values(at, x)),
         }
+    }
+
+    /// Computes r, its derivatives and its second derivatives at (ξ, η), for the positions of the nodes.
+    pub(crate) fn surface_values(self, at: [f64; 2], x: &[Vector3<f64>]) -> SurfaceValues {
+        let [n, of_x, of_y] = self.values(at);
+        let zero = Vector3::zeros();
+        let twist = match self {
+            Self::Triangle => zero,
+            Self::Quad => x[0] - x[1] + x[2] - x[3],
+        };
+        [sum(&n, x), sum(&of_x, x), sum(&of_y, x), zero, zero, twist]
     }
 }
 

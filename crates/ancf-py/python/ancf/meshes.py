@@ -95,7 +95,7 @@ def mesh_from_meshio(mesh: MeshioMesh, scale: float = 1.0) -> ElementMesh:
     Parameters
     ----------
     mesh
-        Mesh as ``meshio.read`` returns it, also from files of VTK, Abaqus and other formats.
+        Mesh as ``meshio.read`` returns it, also from files of Abaqus, Nastran and other formats.
     scale
         Length of the unit of the mesh: 0.001 for millimetres in a model in metres.
 

@@ -6,6 +6,8 @@ from typing import Any
 import meshio
 import numpy as np
 import pytest
+import pyvista
+from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
 import ancf
 from ancf import ElementMesh
@@ -84,6 +86,92 @@ def test_a_file_of_gmsh_gives_the_same_shell(tmp_path: Path) -> None:
     meshio.Mesh(read.points, read.cells).write(tmp_path / "bracket.vtk", binary=False)
     again = ancf.mesh_from_meshio(meshio.read(tmp_path / "bracket.vtk"), scale=1e-3)
     assert len(again.elements or ()) == len(data["bodies"][0]["mesh"].elements)
+
+
+@pytest.mark.parametrize(
+    ("file", "options"),
+    [
+        ("bracket.vtk", {"binary": True}),
+        ("bracket.vtk", {"binary": False}),
+        ("bracket.vtk", {"binary": True, "file_format": "vtk42"}),
+        ("bracket.vtu", {"binary": True}),
+        ("bracket.vtu", {"binary": False}),
+        ("bracket.vtu", {"binary": True, "compression": None}),
+    ],
+)
+def test_a_file_of_vtk_gives_the_same_shell(file: str, options: dict[str, Any], tmp_path: Path) -> None:
+    """Files that meshio writes. Physical groups are numbers of an array."""
+    read = meshio.read(ROOT / "models/bracket.msh")
+    name = "physical"
+    data = {name: read.cell_data["gmsh:physical"]}
+    meshio.Mesh(read.points, read.cells, cell_data=data).write(tmp_path / file, **options)
+    text = (ROOT / "models/bracket.toml").read_text().replace("bracket.msh", file)
+    for group, (number, _) in read.field_data.items():
+        text = text.replace(f'edge = "{group}"', f'edge = "{name} {number}"')
+    (tmp_path / "bracket.toml").write_text(text)
+    own = ancf.run(ancf.Model.read(ROOT / "models/bracket.toml"))
+    result = ancf.run(ancf.Model.read(tmp_path / "bracket.toml"))
+    assert result["pin.z"][-1] == pytest.approx(own["pin.z"][-1], rel=1e-9)
+
+
+STRIP = """
+[materials.m]
+young = 1.2e6
+poisson = 0
+density = 1
+
+[[bodies]]
+kind = "shear_shell"
+name = "s"
+mesh = { file = "strip.vtp" }
+thickness = 0.1
+material = "m"
+
+[[joints]]
+kind = "support"
+name = "root"
+a = { body = "s", at = { edge = "part 1" } }
+condition = "clamped"
+
+[[loads]]
+kind = "surface_pressure"
+body = "s"
+region = "part 2"
+pressure = 0.01
+
+[[probes]]
+name = "end"
+on = { body = "s", at = { point = "tip 1" } }
+
+[analysis]
+kind = "statics"
+"""
+
+
+@pytest.mark.parametrize("compression", ["None", "ZLib", "LZ4"])
+@pytest.mark.parametrize("mode", ["Ascii", "Binary", "Appended", "Raw"])
+def test_polygons_of_vtk_are_read(compression: str, mode: str, tmp_path: Path) -> None:
+    """A cantilever with the load p, of a file that VTK itself writes: p L⁴/(8 D) with shear."""
+    u, v = np.meshgrid(np.linspace(0, 2, 17), np.linspace(0, 0.5, 3))
+    grid = ancf.grid_mesh(np.stack([u, v, 0 * u], axis=-1))
+    faces = [[4, *element] for element in grid.elements or ()]
+    surface = pyvista.PolyData(np.asarray(grid.nodes), faces=np.ravel(faces), lines=[3, 0, 17, 34])
+    surface.cell_data["part"] = np.array([1] + [2] * len(faces), np.int32)
+    surface.point_data["tip"] = (np.arange(51) == 33).astype(np.int32)
+    writer = vtkXMLPolyDataWriter()
+    writer.SetInputData(surface)
+    writer.SetFileName(str(tmp_path / "strip.vtp"))
+    getattr(writer, f"SetCompressorTypeTo{compression}")()
+    getattr(writer, f"SetDataModeTo{mode.replace('Raw', 'Appended')}")()
+    writer.SetEncodeAppendedData(mode == "Appended")
+    if mode == "Binary":
+        writer.SetByteOrderToBigEndian()
+        writer.SetHeaderTypeToUInt64()
+    writer.Write()
+    (tmp_path / "strip.toml").write_text(STRIP)
+    result = ancf.run(ancf.Model.read(tmp_path / "strip.toml"))
+    bending, shear = 0.01 * 16 / (8 * 1.2e6 * 1e-3 / 12), 0.01 * 4 / 2 / (0.6e6 * 0.1 * 5 / 6)
+    assert result["end.z"][-1] == pytest.approx(bending + shear, rel=5e-3)
 
 
 @pytest.mark.parametrize(

@@ -1,7 +1,6 @@
 //! Reading of models from text, checks of models and parts, and supplied functions.
 
 mod check;
-mod gmsh;
 mod meshes;
 mod part;
 mod read;

@@ -11,7 +11,8 @@ use crate::units::Scaled;
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(default, deny_unknown_fields)]
 pub struct ElementMesh {
-    /// Path of a mesh file of Gmsh (.msh, version 2.2 or 4.1, text), relative to the folder of the model file, instead of lists.
+    /// Path of a mesh file of Gmsh (.msh, version 2.2 or 4.1, text) or VTK (.vtk, .vtu, .vtp), relative to the folder of the model file,
+    /// instead of lists.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub file: Option<String>,
     /// Length of the unit of the file: 0.001 for millimetres in a model in metres, length; 1 by default.
@@ -31,7 +32,7 @@ pub struct ElementMesh {
     #[unit(none)]
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub directors: Vec<[f64; 3]>,
-    /// Named points, edges and regions. Those of a file are its physical groups.
+    /// Named points, edges and regions. Those of a file are its physical groups, or the numbers of its arrays of integers.
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
     pub groups: BTreeMap<String, MeshGroup>,
 }

@@ -1,37 +1,12 @@
 //! Mesh files of Gmsh.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::HashMap;
 use std::str::SplitWhitespace;
+
+use super::file_mesh::{FileElement, FileMesh};
 
 /// First words of a mesh file of Gmsh.
 pub(super) const START: &str = "$MeshFormat";
-
-/// Quadrilaterals and triangles of a mesh file with their nodes, and its physical groups.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct GmshMesh {
-    pub(super) nodes: Vec<[f64; 3]>,
-    pub(super) elements: Vec<Vec<usize>>,
-    pub(super) groups: BTreeMap<String, GmshGroup>,
-}
-
-/// Physical group of a mesh.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) enum GmshGroup {
-    /// Nodes.
-    Nodes(Vec<usize>),
-    /// Chains of nodes.
-    Edges(Vec<Vec<usize>>),
-    /// Elements.
-    Elements(Vec<usize>),
-}
-
-/// Element of a file: its number, type, physical groups and numbers of nodes.
-struct FileElement {
-    tag: u64,
-    kind: u32,
-    groups: Vec<i64>,
-    nodes: Vec<u64>,
-}
 
 /// Words of a section of a file.
 struct Words<'a>(SplitWhitespace<'a>, &'static str);
@@ -60,23 +35,31 @@ fn words<'a>(text: &'a str, name: &'static str) -> Result<Words<'a>, String> {
 }
 
 /// Reads a mesh file of version 2.2 or 4.1 as text. Errors are descriptions of what was found.
-pub(super) fn parse(text: &str) -> Result<GmshMesh, String> {
+pub(super) fn parse(text: &str) -> Result<FileMesh, String> {
     let text = text.replace("\r\n", "\n");
     let mut format = words(&text, "MeshFormat")?;
     let (version, binary): (String, u32) = (format.next()?, format.next()?);
     if binary != 0 {
         return Err("a binary mesh file; export it as text (in Gmsh: Mesh.Binary = 0)".into());
     }
+    let names = names(&text)?;
     let (nodes, elements) = match version.as_str() {
-        "2.2" | "2" => (nodes_2(&text)?, elements_2(&text)?),
-        "4.1" => (nodes_4(&text)?, elements_4(&text)?),
+        "2.2" | "2" => (nodes_2(&text)?, elements_2(&text, &names)?),
+        "4.1" => (nodes_4(&text)?, elements_4(&text, &names)?),
         _ => return Err(format!("a mesh file of version {version}; versions 2.2 and 4.1 are supported")),
     };
-    mesh(&nodes, &elements, &names(&text)?)
+    FileMesh::new(&nodes, &elements)
 }
 
 /// Names of the physical groups by dimension and number.
-fn names(text: &str) -> Result<HashMap<(u32, i64), String>, String> {
+type Names = HashMap<(u32, i64), String>;
+
+/// Returns the name of a physical group: its number for a group without a name.
+fn name(names: &Names, dimension: u32, group: i64) -> String {
+    names.get(&(dimension, group)).cloned().unwrap_or_else(|| group.to_string())
+}
+
+fn names(text: &str) -> Result<Names, String> {
     let Some(own) = section(text, "PhysicalNames") else { return Ok(HashMap::new()) };
     let of_line = |line: &str| {
         let wrong = || format!("\"{line}\" in the section PhysicalNames");
@@ -93,17 +76,19 @@ fn nodes_2(text: &str) -> Result<Vec<(u64, [f64; 3])>, String> {
     (0..count).map(|_| Ok((words.next()?, [words.next()?, words.next()?, words.next()?]))).collect()
 }
 
-fn elements_2(text: &str) -> Result<Vec<FileElement>, String> {
+fn elements_2(text: &str, names: &Names) -> Result<Vec<FileElement>, String> {
     let mut words = words(text, "Elements")?;
     let count: usize = words.next()?;
     let mut read = || {
         let (tag, kind) = (words.next()?, words.next()?);
         let tags: usize = words.next()?;
         let tags: Vec<i64> = words.list(tags)?;
-        let nodes = words.list(size(tag, kind)?)?;
+        let (dimension, size) = shape(tag, kind)?;
+        let nodes = words.list(size)?;
         // The first tag is the physical group; 0 for none.
-        let groups = tags.first().copied().filter(|group| *group != 0).into_iter().collect();
-        Ok(FileElement { tag, kind, groups, nodes })
+        let group = tags.first().filter(|group| **group != 0);
+        let groups = group.map(|group| name(names, dimension, *group)).into_iter().collect();
+        Ok(FileElement { tag, dimension, groups, nodes })
     };
     (0..count).map(|_| read()).collect()
 }
@@ -148,36 +133,32 @@ fn entities_4(text: &str) -> Result<HashMap<(u32, i64), Vec<i64>>, String> {
     Ok(groups)
 }
 
-fn elements_4(text: &str) -> Result<Vec<FileElement>, String> {
+fn elements_4(text: &str, names: &Names) -> Result<Vec<FileElement>, String> {
     let (groups, mut words) = (entities_4(text)?, words(text, "Elements")?);
     let [blocks, _, _, _]: [u64; 4] = [words.next()?, words.next()?, words.next()?, words.next()?];
     let mut elements = Vec::new();
     for _ in 0..blocks {
         let (dimension, entity, kind, count): (u32, i64, u32, usize) =
             (words.next()?, words.next()?, words.next()?, words.next()?);
-        let own = groups.get(&(dimension, entity)).cloned().unwrap_or_default();
+        let own = groups.get(&(dimension, entity)).map_or(&[][..], Vec::as_slice);
         for _ in 0..count {
             let tag = words.next()?;
-            let nodes = words.list(size(tag, kind)?)?;
-            elements.push(FileElement { tag, kind, groups: own.clone(), nodes });
+            let (dimension, size) = shape(tag, kind)?;
+            let nodes = words.list(size)?;
+            let groups = own.iter().map(|group| name(names, dimension, *group)).collect();
+            elements.push(FileElement { tag, dimension, groups, nodes });
         }
     }
     Ok(elements)
 }
 
-/// Types of elements that are supported.
-const LINE: u32 = 1;
-const TRIANGLE: u32 = 2;
-const QUADRILATERAL: u32 = 3;
-const POINT: u32 = 15;
-
-/// Number of nodes of a supported type of element.
-fn size(tag: u64, kind: u32) -> Result<usize, String> {
+/// Returns the dimension and the number of nodes of a supported type of element.
+fn shape(tag: u64, kind: u32) -> Result<(u32, usize), String> {
     let name = match kind {
-        LINE => return Ok(2),
-        TRIANGLE => return Ok(3),
-        QUADRILATERAL => return Ok(4),
-        POINT => return Ok(1),
+        15 => return Ok((0, 1)),
+        1 => return Ok((1, 2)),
+        2 => return Ok((2, 3)),
+        3 => return Ok((2, 4)),
         8 | 9 | 10 | 16 => "of second order",
         4..=7 => "a solid",
         _ => "of another type than point, line, triangle and quadrilateral",
@@ -187,112 +168,9 @@ fn size(tag: u64, kind: u32) -> Result<usize, String> {
     ))
 }
 
-/// Creates the mesh of the quadrilaterals and triangles. Nodes of none are left out, since they have no effect.
-fn mesh(
-    nodes: &[(u64, [f64; 3])],
-    elements: &[FileElement],
-    names: &HashMap<(u32, i64), String>,
-) -> Result<GmshMesh, String> {
-    let places: HashMap<u64, [f64; 3]> = nodes.iter().copied().collect();
-    if places.len() < nodes.len() {
-        return Err("a number of a node a second time".into());
-    }
-    let (mut mesh, mut numbers) = (GmshMesh::default(), HashMap::<u64, usize>::new());
-    for element in elements.iter().filter(|element| is_face(element)) {
-        let mut own = Vec::with_capacity(element.nodes.len());
-        for tag in &element.nodes {
-            let place = places.get(tag).ok_or_else(|| missing(element.tag, *tag))?;
-            own.push(*numbers.entry(*tag).or_insert_with(|| {
-                mesh.nodes.push(*place);
-                mesh.nodes.len() - 1
-            }));
-        }
-        mesh.elements.push(own);
-    }
-    if mesh.elements.is_empty() {
-        return Err("no quadrilaterals and no triangles".into());
-    }
-    let mut members = BTreeMap::<(u32, i64), Vec<Vec<usize>>>::new();
-    let mut face = 0;
-    for element in elements {
-        let (dimension, own) = match element.kind {
-            TRIANGLE | QUADRILATERAL => {
-                face += 1;
-                (2, vec![face - 1])
-            }
-            kind => {
-                let own = element.nodes.iter().map(|tag| numbers.get(tag).copied());
-                let Some(own) = own.collect::<Option<Vec<_>>>() else {
-                    if element.groups.is_empty() {
-                        continue;
-                    }
-                    return Err(format!(
-                        "element {} of a group with a node of no quadrilateral and no triangle",
-                        element.tag
-                    ));
-                };
-                (u32::from(kind == LINE), own)
-            }
-        };
-        element
-            .groups
-            .iter()
-            .for_each(|group| members.entry((dimension, *group)).or_default().push(own.clone()));
-    }
-    for (key, own) in members {
-        let name = names.get(&key).cloned().unwrap_or_else(|| key.1.to_string());
-        let group = match key.0 {
-            0 => GmshGroup::Nodes(own.concat()),
-            1 => GmshGroup::Edges(chains(&own)),
-            _ => GmshGroup::Elements(own.concat()),
-        };
-        if mesh.groups.insert(name.clone(), group).is_some() {
-            return Err(format!("two physical groups of different dimensions with the name \"{name}\""));
-        }
-    }
-    Ok(mesh)
-}
-
-/// True for a quadrilateral or a triangle.
-fn is_face(element: &FileElement) -> bool {
-    [TRIANGLE, QUADRILATERAL].contains(&element.kind)
-}
-
-fn missing(element: u64, node: u64) -> String {
-    format!("element {element} with the node {node}, which does not exist")
-}
-
-/// Joins segments to chains. A closed chain ends with its first node.
-fn chains(segments: &[Vec<usize>]) -> Vec<Vec<usize>> {
-    let mut at_node = BTreeMap::<usize, Vec<usize>>::new();
-    for (k, segment) in segments.iter().enumerate() {
-        segment.iter().for_each(|node| at_node.entry(*node).or_default().push(k));
-    }
-    // Chains start at ends and branches; closed ones are left for the second pass.
-    let starts = at_node.iter().filter(|(_, of)| of.len() != 2).map(|(node, _)| *node);
-    let all = starts.collect::<Vec<_>>().into_iter().chain(at_node.keys().copied().collect::<Vec<_>>());
-    let (mut used, mut chains) = (vec![false; segments.len()], Vec::new());
-    for start in all {
-        for &first in &at_node[&start] {
-            let (mut chain, mut next) = (vec![start], Some(first).filter(|k| !used[*k]));
-            while let Some(k) = next {
-                used[k] = true;
-                let last = chain[chain.len() - 1];
-                let end = if segments[k][0] == last { segments[k][1] } else { segments[k][0] };
-                chain.push(end);
-                let of = &at_node[&end];
-                next = of.iter().copied().find(|k| of.len() == 2 && !used[*k]);
-            }
-            if chain.len() > 1 {
-                chains.push(chain);
-            }
-        }
-    }
-    chains
-}
-
 #[cfg(test)]
 mod tests {
+    use super::super::file_mesh::MeshGroup;
     use super::*;
 
     const HEAD: &str =
@@ -322,9 +200,9 @@ mod tests {
             [[0., 0., 0.], [1., 0., 0.], [1., 1., 0.], [0., 1., 0.], [2., 0., 0.], [2., 1., 0.]]
         );
         assert_eq!(mesh.elements, [[0, 1, 2, 3], [1, 4, 5, 2]]);
-        assert_eq!(mesh.groups["tip"], GmshGroup::Nodes(vec![4]));
-        assert_eq!(mesh.groups["left side"], GmshGroup::Edges(vec![vec![0, 3]]));
-        assert_eq!(mesh.groups["plate"], GmshGroup::Elements(vec![0, 1]));
+        assert_eq!(mesh.groups["tip"], MeshGroup::Nodes(vec![4]));
+        assert_eq!(mesh.groups["left side"], MeshGroup::Edges(vec![vec![0, 3]]));
+        assert_eq!(mesh.groups["plate"], MeshGroup::Elements(vec![0, 1]));
         assert_eq!(parse(&version_4()).unwrap(), mesh);
         assert_eq!(parse(&version_4().replace('\n', "\r\n")).unwrap(), mesh);
     }
@@ -337,15 +215,7 @@ mod tests {
             .replace("4 3 2 3 1 2 3 6 5", "4 2 2 3 1 2 3 6\n5 2 2 3 1 2 6 5");
         let mesh = parse(&divided).unwrap();
         assert_eq!(mesh.elements, [vec![0, 1, 2, 3], vec![1, 4, 5], vec![1, 5, 2]]);
-        assert_eq!(mesh.groups["plate"], GmshGroup::Elements(vec![0, 1, 2]));
-    }
-
-    #[test]
-    fn segments_join_to_chains() {
-        let pairs = |all: &[[usize; 2]]| all.iter().map(|pair| pair.to_vec()).collect::<Vec<_>>();
-        assert_eq!(chains(&pairs(&[[2, 3], [1, 2], [4, 3]])), [vec![1, 2, 3, 4]]);
-        assert_eq!(chains(&pairs(&[[1, 2], [3, 1], [2, 3]])), [vec![1, 2, 3, 1]]);
-        assert_eq!(chains(&pairs(&[[5, 6], [1, 2]])), [vec![1, 2], vec![5, 6]]);
+        assert_eq!(mesh.groups["plate"], MeshGroup::Elements(vec![0, 1, 2]));
     }
 
     #[test]

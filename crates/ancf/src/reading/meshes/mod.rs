@@ -1,7 +1,13 @@
-//! Mesh files of shear-deformable shells.
+//! Mesh files of shear-deformable shells, one file for each format.
 //!
 //! [`Model::read_text`](crate::Model::read_text) replaces the path of a mesh file by the text of the file, so that the text of a model
 //! contains all of its data. Reading of the text replaces the text of the mesh by lists of nodes, elements and groups.
+
+mod file_mesh;
+mod gmsh;
+mod vtk;
+mod vtk_legacy;
+mod vtk_xml;
 
 use std::fs;
 use std::io::Read;
@@ -9,7 +15,7 @@ use std::path::Path;
 
 use toml::{Table, Value};
 
-use super::gmsh::{GmshGroup, GmshMesh, START, parse};
+use self::file_mesh::{FileMesh, MeshGroup};
 use crate::errors::{Finding, ModelError, ModelErrors, finding, quoted};
 use crate::schema::{Document, position};
 
@@ -30,7 +36,7 @@ fn meshes(data: &mut Table) -> impl Iterator<Item = (String, &mut Table)> {
 /// # Errors
 /// One error for each file that cannot be read.
 pub(super) fn embed_meshes(mut text: String, folder: &Path) -> Result<String, ModelErrors> {
-    if !text.contains(".msh") {
+    if !["msh", "vtk", "vtu", "vtp"].iter().any(|end| text.contains(&format!(".{end}"))) {
         return Ok(text);
     }
     let mut document = Document::parse(&text);
@@ -38,7 +44,7 @@ pub(super) fn embed_meshes(mut text: String, folder: &Path) -> Result<String, Mo
     let (mut errors, mut replaced) = (Vec::new(), Vec::new());
     for (path, mesh) in meshes(&mut data) {
         let Some(Value::String(file)) = mesh.get("file") else { continue };
-        if file.starts_with(START) {
+        if is_content(file) {
             continue;
         }
         let bytes = document.find(&format!("{path}.file"), false);
@@ -46,7 +52,8 @@ pub(super) fn embed_meshes(mut text: String, folder: &Path) -> Result<String, Mo
             Ok(mesh) => replaced.push((bytes, mesh)),
             Err(found) => {
                 let found = format!("{}: {found}", quoted(file));
-                let error = ModelError::new(format!("{path}.file"), found, "a mesh file of Gmsh as text");
+                let expected = "a mesh file of Gmsh as text or of VTK";
+                let error = ModelError::new(format!("{path}.file"), found, expected);
                 errors.push(ModelError { at: Some(position(&text, bytes)), ..error });
             }
         }
@@ -62,7 +69,13 @@ pub(super) fn embed_meshes(mut text: String, folder: &Path) -> Result<String, Mo
     Ok(text)
 }
 
-/// Text of a mesh file, or a description of what was found.
+/// Returns true for the content of a mesh file in place of its path.
+fn is_content(file: &str) -> bool {
+    file.starts_with(gmsh::START) || file.starts_with('{')
+}
+
+/// Returns the content of a mesh file: the text of a file of Gmsh, or the lists of a file of VTK as JSON. Errors are descriptions of what
+/// was found.
 fn read(path: &Path) -> Result<String, String> {
     let file = fs::File::open(path).map_err(|error| error.to_string())?;
     let mut bytes = Vec::new();
@@ -70,10 +83,24 @@ fn read(path: &Path) -> Result<String, String> {
     if bytes.len() as u64 > MAX_BYTES {
         return Err("more than 100 MB".into());
     }
-    if !bytes.starts_with(START.as_bytes()) {
-        return Err(format!("a file that does not start with {START}"));
+    if bytes.starts_with(gmsh::START.as_bytes()) {
+        return String::from_utf8(bytes)
+            .map_err(|_| "a binary file; export it as text (in Gmsh: Mesh.Binary = 0)".into());
     }
-    String::from_utf8(bytes).map_err(|_| "a binary file; export it as text (in Gmsh: Mesh.Binary = 0)".into())
+    if vtk::is_vtk(&bytes) {
+        let mesh = vtk::parse(&bytes)?;
+        return serde_json::to_string(&mesh).map_err(|error| error.to_string());
+    }
+    Err(format!("a file that starts neither with {} nor as a file of VTK", gmsh::START))
+}
+
+/// Returns the mesh of the content of a file.
+fn parse(content: &str) -> Result<FileMesh, String> {
+    if content.starts_with(gmsh::START) {
+        gmsh::parse(content)
+    } else {
+        serde_json::from_str(content).map_err(|error| error.to_string())
+    }
 }
 
 /// Basic string of TOML in one line.
@@ -99,7 +126,7 @@ pub(super) fn read_meshes(data: &mut Value) -> Vec<Finding> {
     let mut findings = Vec::new();
     for (path, mesh) in meshes(data) {
         let text = match mesh.get("file") {
-            Some(Value::String(text)) if text.starts_with(START) => text.clone(),
+            Some(Value::String(text)) if is_content(text) => text.clone(),
             _ => continue,
         };
         if let Some(key) =
@@ -126,7 +153,7 @@ pub(super) fn read_meshes(data: &mut Value) -> Vec<Finding> {
                 mesh.extend(lists(read, scale));
             }
             Err(found) => {
-                let expected = "a mesh of quadrilaterals and triangles, of version 2.2 or 4.1";
+                let expected = "a mesh of quadrilaterals and triangles, in Gmsh of version 2.2 or 4.1";
                 findings.push(finding(format!("{path}.file"), found, expected));
             }
         }
@@ -135,18 +162,18 @@ pub(super) fn read_meshes(data: &mut Value) -> Vec<Finding> {
 }
 
 /// Lists of a mesh as data of a model.
-fn lists(mesh: GmshMesh, scale: f64) -> Table {
+fn lists(mesh: FileMesh, scale: f64) -> Table {
     let numbers = |all: Vec<usize>| Value::Array(all.into_iter().map(|k| Value::Integer(k as i64)).collect());
     let nodes = mesh
         .nodes
         .into_iter()
         .map(|node| Value::Array(node.iter().map(|x| Value::Float(x * scale)).collect()));
     let elements = mesh.elements.into_iter().map(numbers);
-    let group = |group: GmshGroup| {
+    let group = |group: MeshGroup| {
         let (key, value) = match group {
-            GmshGroup::Nodes(nodes) => ("nodes", numbers(nodes)),
-            GmshGroup::Edges(chains) => ("edges", Value::Array(chains.into_iter().map(numbers).collect())),
-            GmshGroup::Elements(elements) => ("elements", numbers(elements)),
+            MeshGroup::Nodes(nodes) => ("nodes", numbers(nodes)),
+            MeshGroup::Edges(chains) => ("edges", Value::Array(chains.into_iter().map(numbers).collect())),
+            MeshGroup::Elements(elements) => ("elements", numbers(elements)),
         };
         Value::Table(Table::from_iter([(key.to_owned(), value)]))
     };

@@ -14,6 +14,7 @@ pub mod forces;
 pub mod functions;
 pub mod inertia;
 pub mod kinematics;
+mod lanes;
 pub mod laws;
 pub mod rods;
 pub mod sections;

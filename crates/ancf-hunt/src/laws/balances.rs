@@ -75,7 +75,8 @@ impl Law for Energy {
 
 /// Largest sum of the kinetic energy and the magnitude of the strain energy.
 fn stored(run: &Run) -> f64 {
-    let [kinetic, strain] = ["kinetic", "strain"].map(|name| run.column(name).map_or(&[][..], |column| &column.values));
+    let [kinetic, strain] =
+        ["kinetic", "strain"].map(|name| run.column(name).map_or(&[][..], |column| &column.values));
     kinetic.iter().zip(strain).map(|(kinetic, strain)| kinetic + strain.abs()).fold(0.0, f64::max)
 }
 

@@ -6,12 +6,12 @@ use pulp::Simd;
 use super::batched::{BatchTerm, TermBatch, consecutive, elements_of_bodies};
 use super::beam_law::{BatchStation, BeamLaw};
 use super::kernel::{BatchKernel, KernelBatch};
-use super::lane::{Lane, LaneNumber, Pass, VectorLanes, dot, plus, scaled};
 use super::relative::RelativeLanes;
 use super::strain::SectionLanes;
 use super::triangle::{VectorBlocks, lower};
 use crate::elements::{Beam24, Beam27, BeamElement};
 use crate::kinematics::{BeamShape, Interpolation, QuadraticShape};
+use crate::lanes::{Lane, LaneNumber, Pass, VectorLanes, dot, plus, scaled};
 use crate::sections::STRAINS;
 
 /// Batch of beam elements with N vectors: A + 1 of the axis and B of each kind of section vector.

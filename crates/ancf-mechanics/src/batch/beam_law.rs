@@ -1,10 +1,10 @@
 use std::sync::Arc;
 
-use super::lane::LaneNumber;
 use super::plan::Plan;
 use super::relative::{MixWeights, VectorLayout};
 use crate::elements::{Profile, StationLaw};
 use crate::kinematics::Interpolation;
+use crate::lanes::LaneNumber;
 use crate::sections::{STRAINS, SectionLaw, SectionMatrix};
 
 /// Common data of the profiles of a batch: shared numbers, or one number per element.

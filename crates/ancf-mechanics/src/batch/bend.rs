@@ -1,7 +1,7 @@
 use pulp::Simd;
 
-use super::lane::{Lane, Pass, VectorLanes, dot, minus, plus, scaled};
 use super::stiffness::MatrixLanes;
+use crate::lanes::{Lane, Pass, VectorLanes, dot, minus, plus, scaled};
 
 /// Bending of a material line at one point, as defined by [`line::Bend`](crate::kinematics::Bend).
 pub(crate) struct BendLanes<S: Simd> {

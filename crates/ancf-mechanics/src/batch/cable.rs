@@ -6,11 +6,11 @@ use pulp::Simd;
 use super::batched::{BatchTerm, TermBatch, consecutive, elements_of_bodies};
 use super::bend::BendLanes;
 use super::kernel::{BatchKernel, KernelBatch};
-use super::lane::{Lane, LaneNumber, Pass, VectorLanes, added, dot, minus, plus, scaled};
 use super::relative::VectorLayout;
 use super::stiffness::{add, times, transposed};
 use super::triangle::{VectorBlocks, lower};
 use crate::elements::{CRUSHED, Cable12, CableDamping, CableProfile, CableStation};
+use crate::lanes::{Lane, LaneNumber, Pass, VectorLanes, added, dot, minus, plus, scaled};
 
 /// Batch of cable elements with a common profile.
 #[derive(Debug)]

@@ -1,7 +1,7 @@
 use ancf_solver::equations::{Batch, Energy, LANES, Lanes, Level, LocalLanes, Weights};
 use pulp::Simd;
 
-use super::lane::{Lane, Pass, PassJob, run, total};
+use crate::lanes::{Lane, Pass, PassJob, run, total};
 
 /// Computations of one pass over a batch of elements, from which a [`Batch`] is built. See there for `at`, `r` and `k`.
 pub(crate) trait BatchKernel: Send + Sync {

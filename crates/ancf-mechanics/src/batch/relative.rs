@@ -1,8 +1,8 @@
 use ancf_solver::equations::Lanes;
 use pulp::Simd;
 
-use super::lane::{Lane, Pass, VectorLanes, added, minus, plus, scaled};
 use crate::kinematics::VectorKind;
+use crate::lanes::{Lane, Pass, VectorLanes, added, minus, plus, scaled};
 use crate::sections::STRAINS;
 
 /// Assignment of the vectors of an element to its axis and its sections.

@@ -1,10 +1,10 @@
 use ancf_solver::equations::Lanes;
 use pulp::Simd;
 
-use super::lane::{Lane, LaneNumber, Pass, VectorLanes, plus, scaled};
 use super::plan::{Plan, StiffnessBlock, part};
 use super::relative::{DirectorLanes, StrainLanes};
 use super::strain::{SectionLanes, director};
+use crate::lanes::{Lane, LaneNumber, Pass, VectorLanes, plus, scaled};
 
 /// 3 × 3 block for each term of a pass, by rows.
 pub(crate) type MatrixLanes<S> = [Lane<S>; 9];

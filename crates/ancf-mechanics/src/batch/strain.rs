@@ -1,9 +1,9 @@
 use ancf_solver::equations::Lanes;
 use pulp::Simd;
 
-use super::lane::{LaneNumber, Pass, VectorLanes, added, dot, dot_add, plus};
 use super::plan::{Plan, part};
 use super::relative::{DirectorLanes, StrainLanes};
+use crate::lanes::{LaneNumber, Pass, VectorLanes, added, dot, dot_add, plus};
 use crate::sections::STRAINS;
 
 /// Returns a director by its index below eight.

@@ -1,9 +1,9 @@
 use ancf_solver::equations::Lanes;
 use pulp::Simd;
 
-use super::lane::{Lane, Pass};
 use super::relative::{MixWeights, VectorLayout};
 use super::stiffness::{MatrixLanes, StiffnessLanes, add, at, load, subtract, times, transposed};
+use crate::lanes::{Lane, Pass};
 
 /// Stiffness over the vectors of an element in the order of [`RelativeLanes`](super::relative::RelativeLanes), by kinds.
 ///

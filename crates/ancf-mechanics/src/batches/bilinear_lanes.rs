@@ -2,9 +2,9 @@ use ancf_solver::equations::{Lanes, Level, LocalLanes};
 use pulp::Simd;
 
 use super::entry_list::EntryList;
-use crate::batch::{Lane, LaneNumber, Pass, VectorLanes, added, dot, dot_add, plus, scaled};
 use crate::constraints::BilinearRow;
 use crate::kinematics::Marker;
+use crate::lanes::{Lane, LaneNumber, Pass, VectorLanes, added, dot, dot_add, plus, scaled};
 
 /// Constraint rows of several terms with equal structure, one term in each lane ([`BilinearRow`]).
 ///

@@ -3,8 +3,9 @@ use pulp::Simd;
 
 use super::bilinear_lanes::BilinearLanes;
 use super::entry_list::EntryList;
-use crate::batch::{BatchKernel, BatchTerm, KernelBatch, Lane, Pass, TermBatch, alike};
+use crate::batch::{BatchKernel, BatchTerm, KernelBatch, TermBatch, alike};
 use crate::constraints::ConstraintGroup;
+use crate::lanes::{Lane, Pass};
 
 /// Batch of constraints of joints with equal structure.
 #[derive(Debug)]

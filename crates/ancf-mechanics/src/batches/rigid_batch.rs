@@ -3,11 +3,9 @@ use pulp::Simd;
 
 use super::bilinear_lanes::{BilinearLanes, add};
 use super::entry_list::EntryList;
-use crate::batch::{
-    BatchKernel, BatchTerm, KernelBatch, Lane, LaneNumber, Pass, TermBatch, VectorLanes, alike, dot, plus,
-    scaled,
-};
+use crate::batch::{BatchKernel, BatchTerm, KernelBatch, TermBatch, alike};
 use crate::elements::RigidTerm;
+use crate::lanes::{Lane, LaneNumber, Pass, VectorLanes, dot, plus, scaled};
 
 /// Batch of rigid bodies or of point masses.
 #[derive(Debug)]

@@ -1,6 +1,6 @@
 use nalgebra::Vector3;
 
-use super::hermite::{VECTORS, bicubic};
+use super::thin::{VECTORS, bicubic};
 
 /// Middle surface of an element as r(ξ, η) = Σ_a N_a e_a, 0 ≤ ξ, η ≤ 1, for closest points at variable positions.
 #[derive(Clone, Debug)]

@@ -4,12 +4,10 @@ use std::sync::Arc;
 use ancf_solver::equations::{State, Term};
 use nalgebra::Vector3;
 
-use super::element::Shell48;
 use super::element_surface::ElementSurface;
-use super::hermite::{VECTORS, bicubic};
 use super::laminates::SectionField;
 use super::prestrain::{ElementPrestrain, SurfacePrestrain, SurfacePrestrains};
-use super::profile::{ShellMedium, integration_points};
+use super::thin::{Shell48, ShellMedium, VECTORS, bicubic, integration_points};
 use crate::inertia::MassVisitor;
 use crate::kinematics::{
     Attachment, Directions, Marker, NodalVector, SectionFrame, VectorKind, gauss4, round_to_zero,

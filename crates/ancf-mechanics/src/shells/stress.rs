@@ -5,13 +5,13 @@ use std::sync::LazyLock;
 use ancf_solver::equations::State;
 use nalgebra::Vector3;
 
-use super::hermite::{Shape, VECTORS, bicubic, surface_derivatives};
 use super::laminates::to_orthonormal;
 use super::mesh::ShellMesh;
 use super::prestrain::{Factors, SurfaceLaw};
-use super::profile::{MEMBRANE, each_sample, lagrange, sum};
-use super::surface_state::VOIGT;
 use super::surface_stress::{SurfaceStress, direction, membrane_strain};
+use super::thin::{
+    MEMBRANE, Shape, VECTORS, VOIGT, bicubic, each_sample, lagrange, sum, surface_derivatives,
+};
 
 /// Component and shape derivatives by ξ and η of each membrane strain of an element.
 static SAMPLES: LazyLock<Vec<(usize, [Shape; 2])>> = LazyLock::new(|| {

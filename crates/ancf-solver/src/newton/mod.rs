@@ -11,6 +11,7 @@ mod rounding_errors;
 mod rounding_floor;
 mod stress_prediction;
 mod tangent;
+mod tangent_usage;
 
 pub(crate) use active_set::ActiveSet;
 pub use error::{EquilibriumError, SolveError, SolveFailure};

@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::error::SolveFailure;
 use super::stress_prediction::StressPrediction;
+use super::tangent_usage::{TangentAge, TangentPolicy, TangentUsage};
 use crate::equations::{EquationsOfMotion, State, Weights};
 use crate::factor::{Factor, FactorHistory};
 use crate::sparse::SparseMatrix;
@@ -14,7 +15,7 @@ use crate::sparse::SparseMatrix;
 /// An iteration with an old tangent is a fixed-point iteration with the convergence rate θ. The rate predicts the
 /// number of remaining iterations.
 ///
-/// * Within a step, a new tangent is computed if more than [`RENEWAL_COST`] iterations remain.
+/// * Within a step, a new tangent is computed if it costs less than the remaining iterations.
 /// * Before a step, a new tangent is computed if the extra iterations since the last one exceed its cost.
 /// * Tangents age within a step in fast rotations. A number of steps then starts with new tangents, and each further
 ///   failure of an old tangent doubles this number.
@@ -31,35 +32,12 @@ pub(crate) struct NewtonTangent {
     made: Option<Box<TangentStates>>,
     /// False if new tangents are approximations, so that iterations converge linearly.
     exact: bool,
+    /// Cost of a new factorised tangent, in iterations with an old one.
+    renewal_cost: u32,
     /// Number of tangents of the current solution.
     computed: u32,
     /// Predicted stresses of the tangents in statics.
     prediction: Option<StressPrediction>,
-}
-
-/// Usage of a tangent so far.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-struct TangentUsage {
-    policy: TangentPolicy,
-    /// Weights of the tangent, or `None` if it is not reusable.
-    weights: Option<Weights>,
-    /// Age of the tangent.
-    age: TangentAge,
-    /// True if an iteration of the current solution used an old tangent.
-    reused: bool,
-    /// Rate θ of the last two iterations with the same tangent.
-    rate: Option<f64>,
-    /// Number of solutions since the tangent was computed, now and at the last measurement of the rate.
-    solutions: u32,
-    rated: u32,
-    /// Fewest iterations of a solution with this tangent, and the sum of the iterations in excess of it.
-    fewest_iterations: u32,
-    extra_iterations: u32,
-    /// Number of next solutions that start with a new tangent, and the length of the last such pause.
-    pause: u32,
-    last_pause: u32,
-    /// History of the factors until the last accepted step, if they are reusable.
-    factor: FactorHistory,
 }
 
 /// States at which tangents were computed.
@@ -79,27 +57,9 @@ pub(crate) struct TangentCheckpoint {
     made: Option<State>,
 }
 
-/// Policy for new tangents.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-enum TangentPolicy {
-    /// A new tangent in each iteration.
-    Always,
-    /// A new tangent when the old one no longer pays off.
-    WhenDue,
-    /// A new tangent in each iteration of the current solution, then `WhenDue`.
-    AlwaysInSolution,
-}
-
-/// Age of a tangent: computed for this iteration, for this solution or before.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-enum TangentAge {
-    Iteration,
-    Solution,
-    Old,
-}
-
-/// Cost of a new factorised tangent, in iterations with an old one.
-const RENEWAL_COST: u32 = 3;
+/// Smallest and largest cost of a new factorised tangent, in iterations with an old one. Beyond the largest one old tangents converge
+/// too slowly to pay off, whatever a new one costs.
+const RENEWAL_COST: [f64; 2] = [3.0, 10.0];
 /// Rate of an approximate tangent below which it is kept, and above which it is renewed.
 const FAST: f64 = 0.05;
 const SLOW: f64 = 0.6;
@@ -110,11 +70,19 @@ const WEIGHT_TOLERANCE: f64 = 1e-2;
 /// Longest pause of the reuse.
 const MAX_PAUSE: u32 = 64;
 
+/// Estimates the cost of a new factorised tangent, in iterations with an old one, by the products of factorisation and substitution.
+///
+/// The evaluation of the terms adds to both in similar proportions, as measured on chains, nets, lattices and plates.
+fn renewal_cost(matrix: &SparseMatrix) -> u32 {
+    let [least, most] = RENEWAL_COST;
+    matrix.pattern().supernodes().factor_cost().round().clamp(least, most) as u32
+}
+
 impl NewtonTangent {
     /// Creates storage for tangents with the pattern of `matrix`, with a new tangent in each iteration.
     pub(crate) fn new(matrix: SparseMatrix) -> Result<Self, SolveFailure> {
         let factor = Factor::new(matrix.pattern()).map_err(|_| SolveFailure::Memory)?;
-        let usage = TangentUsage::new();
+        let (usage, renewal_cost) = (TangentUsage::new(), renewal_cost(&matrix));
         Ok(Self {
             matrix,
             factor,
@@ -122,6 +90,7 @@ impl NewtonTangent {
             saved: usage,
             made: None,
             exact: true,
+            renewal_cost,
             computed: 0,
             prediction: None,
         })
@@ -131,6 +100,7 @@ impl NewtonTangent {
     pub(crate) fn replace_matrix(&mut self, matrix: SparseMatrix) -> Result<(), SolveFailure> {
         if !Arc::ptr_eq(matrix.pattern(), self.matrix.pattern()) {
             self.factor = Factor::new(matrix.pattern()).map_err(|_| SolveFailure::Memory)?;
+            self.renewal_cost = renewal_cost(&matrix);
             self.matrix = matrix;
         }
         let TangentUsage { policy, pause, last_pause, .. } = self.usage;
@@ -199,7 +169,7 @@ impl NewtonTangent {
     pub(crate) fn begin(&mut self, w: Weights) {
         let alike = |own: f64, other: f64| (own - other).abs() <= WEIGHT_TOLERANCE * other.abs();
         let fits = |own: Weights| alike(own.q, w.q) && alike(own.v, w.v) && alike(own.a, w.a);
-        let due = self.usage.extra_iterations >= RENEWAL_COST || self.usage.pause > 0;
+        let due = self.usage.extra_iterations >= self.renewal_cost || self.usage.pause > 0;
         self.usage.pause = self.usage.pause.saturating_sub(1);
         self.usage.weights = self.usage.weights.filter(|own| fits(*own) && !due);
         self.usage.age = TangentAge::Old;
@@ -291,7 +261,7 @@ impl NewtonTangent {
             return true;
         }
         let left = (part * (1.0 - rate)).ln() / rate.ln();
-        if rate < 1.0 && left <= f64::from(RENEWAL_COST) {
+        if rate < 1.0 && left <= f64::from(self.renewal_cost) {
             return true;
         }
         self.renew();
@@ -308,25 +278,6 @@ impl NewtonTangent {
     fn extend_pause(&mut self) {
         self.usage.last_pause = (2 * self.usage.last_pause).clamp(1, MAX_PAUSE);
         self.usage.pause = self.usage.last_pause;
-    }
-}
-
-impl TangentUsage {
-    const fn new() -> Self {
-        Self {
-            policy: TangentPolicy::Always,
-            weights: None,
-            age: TangentAge::Iteration,
-            reused: false,
-            rate: None,
-            solutions: 0,
-            rated: 0,
-            fewest_iterations: u32::MAX,
-            extra_iterations: 0,
-            pause: 0,
-            last_pause: 0,
-            factor: FactorHistory::NEW,
-        }
     }
 }
 

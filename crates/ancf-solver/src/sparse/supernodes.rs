@@ -189,6 +189,22 @@ impl Supernodes {
         None
     }
 
+    /// Returns the products of a factorisation, relative to those of a substitution.
+    ///
+    /// A column of h rows takes h²/2 products in the factorisation and 2 h in the substitution.
+    pub(crate) fn factor_cost(&self) -> f64 {
+        let (mut factorisation, mut substitution) = (0.0, 0.0);
+        for supernode in &self.list {
+            let height = f64::from(supernode.columns + supernode.below);
+            for j in 0..supernode.columns {
+                let rows = height - f64::from(j);
+                factorisation += 0.5 * rows * rows;
+                substitution += 2.0 * rows;
+            }
+        }
+        if substitution > 0.0 { factorisation / substitution } else { 0.0 }
+    }
+
     /// Returns the number of values of a matrix.
     pub(crate) fn entries(&self) -> usize {
         self.list.last().map_or(0, |last| last.values().end)

@@ -7,9 +7,9 @@ use super::surface_patch::{PatchPoint, SurfacePatch};
 use super::surface_pressure::SurfacePressure;
 use crate::functions::Function;
 use crate::kinematics::gauss;
-use crate::shells::hermite::{VECTORS, bicubic};
 use crate::shells::mesh::ShellMesh;
 use crate::shells::shear::{Face, Shape, ShearShellMesh};
+use crate::shells::thin::{VECTORS, bicubic};
 
 /// Middle surface of an element of either kind of shell.
 #[derive(Clone, Debug)]

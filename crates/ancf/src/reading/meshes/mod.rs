@@ -7,6 +7,7 @@ mod file_mesh;
 mod gmsh;
 mod vtk;
 mod vtk_legacy;
+mod vtk_piece;
 mod vtk_xml;
 
 use std::fs;

@@ -3,36 +3,11 @@
 use std::collections::BTreeSet;
 
 use super::file_mesh::{FileElement, FileMesh};
+use super::vtk_piece::{Labels, VtkPiece, kinds};
 use super::{vtk_legacy, vtk_xml};
 
 /// Largest number of groups of an array. Arrays with more numbers are those of nodes or elements.
 const MAX_GROUPS: usize = 100;
-
-/// Part of a file with points of its own.
-#[derive(Debug, Default)]
-pub(super) struct VtkPiece {
-    pub(super) points: Vec<f64>,
-    /// Types and points of the cells.
-    pub(super) cells: Vec<(u8, Vec<u64>)>,
-    pub(super) of_points: Vec<Labels>,
-    pub(super) of_cells: Vec<Labels>,
-}
-
-/// Array of integers with its name, one number for each point or cell.
-pub(super) type Labels = (String, Vec<i64>);
-
-/// Types of cells.
-pub(super) mod kinds {
-    pub(crate) const VERTEX: u8 = 1;
-    pub(crate) const VERTICES: u8 = 2;
-    pub(crate) const LINE: u8 = 3;
-    pub(crate) const LINES: u8 = 4;
-    pub(crate) const TRIANGLE: u8 = 5;
-    pub(crate) const STRIP: u8 = 6;
-    pub(crate) const POLYGON: u8 = 7;
-    pub(crate) const PIXEL: u8 = 8;
-    pub(crate) const QUADRILATERAL: u8 = 9;
-}
 
 /// Returns true for the start of a file of VTK.
 pub(super) fn is_vtk(bytes: &[u8]) -> bool {
@@ -94,7 +69,9 @@ impl Content {
             (kinds::LINE | kinds::LINES, _) => {
                 nodes.windows(2).for_each(|segment| add(1, segment.to_vec()));
             }
-            (kinds::TRIANGLE | kinds::POLYGON, 3) | (kinds::QUADRILATERAL | kinds::POLYGON, 4) => add(2, nodes),
+            (kinds::TRIANGLE | kinds::POLYGON, 3) | (kinds::QUADRILATERAL | kinds::POLYGON, 4) => {
+                add(2, nodes)
+            }
             // Rows instead of a cycle.
             (kinds::PIXEL, 4) => add(2, [0, 1, 3, 2].map(|k| nodes[k]).to_vec()),
             (kind, count) => {
@@ -128,17 +105,6 @@ fn groups(labels: &[Labels], k: usize) -> Vec<String> {
         values.get(k).filter(|value| **value != 0).map(|value| format!("{name} {value}"))
     };
     labels.iter().filter_map(of).collect()
-}
-
-/// Returns lists of points of cells from their ends. A first end of zero is that of no cell.
-pub(super) fn lists(points: &[u64], ends: &[u64]) -> Result<Vec<Vec<u64>>, String> {
-    let ends = if ends.first() == Some(&0) { &ends[1..] } else { ends };
-    let (mut lists, mut start) = (Vec::with_capacity(ends.len()), 0);
-    for end in ends.iter().map(|end| *end as usize) {
-        lists.push(points.get(start..end).ok_or("offsets of cells that do not fit their points")?.to_vec());
-        start = end;
-    }
-    Ok(lists)
 }
 
 #[cfg(test)]
@@ -189,7 +155,7 @@ mod tests {
             (POLYGONS, "\"PolyData\"", "\"ImageData\"", "ImageData"),
             (POLYGONS, "<Polys>", "<Strips>", "XML"),
             (POLYGONS, "format=\"ascii\">3 0<", "format=\"ascii\">3 x<", "\"x\""),
-            (POLYGONS, "format=\"ascii\">3 0<", "format=\"binary\">3 x<", "base64"),
+            (POLYGONS, "format=\"ascii\">3 0<", "format=\"binary\">????????<", "base64"),
             (POLYGONS, "format=\"ascii\">3 0<", "format=\"appended\" offset=\"7\"><", "appended"),
             (GRID, "4 0 1 4 3\n", "4 0 1 4 9\n", "element 0 with the node 9"),
             (GRID, "POINTS 7", "POINTS 700000000000", "cannot be read"),
@@ -197,7 +163,7 @@ mod tests {
             (GRID, "\n9\n3\n1\n9\n", "\n10\n3\n1\n9\n", "a solid"),
             (GRID, "\n9\n3\n1\n9\n", "\n3\n3\n1\n3\n", "no quadrilaterals"),
             (POLYGONS, ">4 8<", ">4 9<", "offsets"),
-            (POLYGONS, "Points>", "Other>", "without points"),
+            (POLYGONS, "Points>", "Other>", "no Points"),
             (POLYGONS, ">4 8<", ">3 8<", "cell 2"),
         ] {
             assert!(text.contains(from), "{from}");

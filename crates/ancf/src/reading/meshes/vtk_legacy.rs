@@ -5,7 +5,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use vtkio::Vtk;
 use vtkio::model::{Attribute, DataSet, IOBuffer, Piece, ScalarType, VertexNumbers};
 
-use super::vtk::{Labels, VtkPiece, kinds, lists};
+use super::vtk_piece::{Labels, VtkPiece, kinds, lists};
 
 /// Start of a legacy file.
 const LEGACY: &[u8] = b"# vtk";

@@ -12,7 +12,7 @@ use base64::engine::general_purpose::STANDARD;
 use flate2::bufread::ZlibDecoder;
 use roxmltree::{Document, Node};
 
-use super::vtk::{Labels, VtkPiece, kinds, lists};
+use super::vtk_piece::{Labels, VtkPiece, kinds, lists};
 
 /// Name of the root element.
 const ROOT: &str = "<VTKFile";
@@ -218,7 +218,8 @@ impl File<'_> {
 
     /// Returns a number of a header.
     fn word(&self, header: &[u8], k: usize) -> Result<usize, String> {
-        let mut own = header.get(k * self.word..(k + 1) * self.word).ok_or("a block that ends too early")?.to_vec();
+        let mut own =
+            header.get(k * self.word..(k + 1) * self.word).ok_or("a block that ends too early")?.to_vec();
         if self.is_big_endian {
             own.reverse();
         }

@@ -7,10 +7,16 @@ use ancf_solver::equations::LocalMatrix;
 use nalgebra::{Matrix3, Vector3};
 use pulp::{Simd, WithSimd};
 
+use super::bent_points::{BentPoint, VOIGT};
 use super::hermite::VECTORS;
-use super::profile::{MEMBRANE, MembraneStiffness, POINTS, SHEARS, ShellProfile, ShellTables};
-use super::rows::{Block, Row, add_products, combined};
-use super::surface_state::{BentPoint, ShellStrains, SurfaceState, VOIGT};
+use super::membrane_stiffness::MembraneStiffness;
+use super::profile::ShellProfile;
+use super::surface_state::{ShellStrains, SurfaceState};
+use super::tables::{MEMBRANE, POINTS, SHEARS, ShellTables};
+use crate::lanes::{Row, add_products, combined};
+
+/// Matrix over pairs of nodal vectors.
+pub(crate) type Block = [Row; VECTORS];
 
 /// Components (i, j) of the stored blocks.
 const PAIRS: [[usize; 2]; 6] = [[0, 0], [1, 0], [1, 1], [2, 0], [2, 1], [2, 2]];
@@ -72,7 +78,7 @@ impl WithSimd for StiffnessJob<'_> {
         let Self { state, tables, profile, material, membrane, stress, sum } = self;
         if material != 0.0 {
             let mut rows = state.membrane_rows(tables);
-            if profile.is_coupled {
+            if !profile.coupling.is_empty() {
                 add_coupling(simd, (state, tables, profile), &rows, &mut sum.0);
             }
             membrane.unwrap_or(&profile.membrane).multiply(simd, &mut rows);
@@ -99,8 +105,9 @@ impl SurfaceState {
     #[inline(always)]
     fn membrane_rows(&self, tables: &ShellTables) -> StrainRows {
         let mut rows = [[Row::ZERO; 3]; MEMBRANE];
-        for ((row, sample), [a, b]) in rows.iter_mut().zip(&tables.samples).zip(&self.samples) {
+        for (t, (row, sample)) in rows.iter_mut().zip(&tables.samples).enumerate() {
             let [x, y] = &sample.shapes;
+            let [a, b] = [self.tangent(t), self.tangent(if t < MEMBRANE - SHEARS { t } else { t + SHEARS })];
             for (i, row) in row.iter_mut().enumerate() {
                 for k in 0..VECTORS {
                     row.0[k] = match sample.component {
@@ -142,9 +149,9 @@ fn add_coupling<S: Simd>(
 ) {
     // Forces −(C c)_k n of unit strains at the points, then of the membrane strains.
     let mut moments = [[Row::ZERO; 3]; MEMBRANE];
-    for (p, point) in state.points.iter().enumerate() {
+    for (p, coupling) in profile.coupling.iter().enumerate() {
+        let point = state.points.at(p);
         let gradients = point.gradients(&tables.points[p]);
-        let coupling = &profile.points[p].coupling;
         let forces: [Row; 3] = std::array::from_fn(|k| {
             let of = |a: usize| -> f64 { (0..3).map(|j| coupling[(k, j)] * gradients[j].0[a]).sum() };
             Row(std::array::from_fn(of))
@@ -253,8 +260,8 @@ fn add_bending<S: Simd>(
         let mut rows = [BendingRows::ZERO; LINE];
         for (p, row) in rows.iter_mut().enumerate() {
             let k = LINE * line + p;
-            let d = profile.points[k].bending * material;
-            *row = BendingRows::new(simd, (&state.points[k], &tables.points[k]), (&d, &stress.bending[k]));
+            let (point, d) = (state.points.at(k), profile.points.bending(k) * material);
+            *row = BendingRows::new(simd, (&point, &tables.points[k]), (&d, &stress.bending(k)));
         }
         for (block, pair) in sum.iter_mut().zip(PAIRS) {
             for v in 0..VECTORS / S::F64_LANES {

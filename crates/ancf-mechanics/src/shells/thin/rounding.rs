@@ -1,8 +1,10 @@
 //! Bounds of the rounding errors of the forces of a shell element.
 
+use super::bent_points::VOIGT;
 use super::hermite::{Shape, VECTORS};
-use super::profile::{MEMBRANE, MembraneSample, POINTS, ShellProfile, ShellTables};
-use super::surface_state::{ShellStrains, SurfaceState, VOIGT};
+use super::profile::ShellProfile;
+use super::surface_state::{ShellStrains, SurfaceState};
+use super::tables::{MEMBRANE, MembraneSample, POINTS, ShellTables};
 
 /// Roundings in a sum of sixteen products, relative to the sum of their magnitudes.
 const SUM: f64 = 4.0 * f64::EPSILON;
@@ -39,8 +41,9 @@ pub(crate) fn add_rounding(
                 _ => a * (w + y) + b * (u + x),
             };
     }
-    for (k, point) in state.points.iter().enumerate() {
-        let (shapes, reference) = (&tables.points[k], &profile.points[k].reference);
+    for k in 0..POINTS {
+        let (point, shapes, reference) =
+            (state.points.at(k), &tables.points[k], profile.points.at(k).reference);
         let sizes = shapes.each_ref().map(|shape| size(&shape.0, q));
         let rates = shapes.each_ref().map(|shape| time * size(&shape.0, v));
         let dual = point.dual.map(|a| a.norm());
@@ -79,15 +82,14 @@ fn membrane_errors(
 ) -> [f64; MEMBRANE] {
     let of_strain = std::array::from_fn(|t| of.membrane[t] + SUM * strains.membrane[t].abs());
     let mut error = profile.membrane.bound(&of_strain);
-    if profile.is_coupled {
-        for (k, point) in profile.points.iter().enumerate() {
-            for (r, error) in error.iter_mut().enumerate() {
-                let of = |j: usize| {
-                    let i = tables.samples[r].component;
-                    point.coupling[(i, j)].abs() * (of.bending[k][j] + SUM * strains.bending[k][j].abs())
-                };
-                *error += tables.sampling[k][r].abs() * (0..3).map(of).sum::<f64>();
-            }
+    for (k, coupling) in profile.coupling.iter().enumerate() {
+        let bent = strains.bending(k);
+        for (r, error) in error.iter_mut().enumerate() {
+            let of = |j: usize| {
+                let i = tables.samples[r].component;
+                coupling[(i, j)].abs() * (of.bending[k][j] + SUM * bent[j].abs())
+            };
+            *error += tables.sampling[k][r].abs() * (0..3).map(of).sum::<f64>();
         }
     }
     error
@@ -101,15 +103,14 @@ fn bending_errors(
     of: &Errors,
 ) -> [[f64; 3]; POINTS] {
     std::array::from_fn(|k| {
-        let own = &profile.points[k];
+        let (bending, curvature) = (profile.points.bending(k), strains.bending(k));
         std::array::from_fn(|i| {
-            let bent =
-                |j: usize| own.bending[(i, j)].abs() * (of.bending[k][j] + SUM * strains.bending[k][j].abs());
+            let bent = |j: usize| bending[(i, j)].abs() * (of.bending[k][j] + SUM * curvature[j].abs());
             let mut error: f64 = (0..3).map(bent).sum();
-            if profile.is_coupled {
+            if let Some(coupling) = profile.coupling.get(k) {
                 for (r, strain) in strains.membrane.iter().enumerate() {
                     error += tables.sampling[k][r].abs()
-                        * own.coupling[(tables.samples[r].component, i)].abs()
+                        * coupling[(tables.samples[r].component, i)].abs()
                         * (of.membrane[r] + SUM * strain.abs());
                 }
             }
@@ -141,13 +142,14 @@ fn distribute(
                 };
         }
     }
-    for (k, point) in state.points.iter().enumerate() {
-        let (shapes, reference) = (&tables.points[k], &profile.points[k].reference);
+    for k in 0..POINTS {
+        let (point, shapes, reference) =
+            (state.points.at(k), &tables.points[k], profile.points.at(k).reference);
         let sizes = shapes.each_ref().map(|shape| size(&shape.0, q));
         let dual = point.dual.map(|a| a.norm());
         let amplified = 1.0 + sizes[0] * dual[0] + sizes[1] * dual[1];
         for i in 0..3 {
-            let error = VOIGT[i] * (errors.bending[k][i] + SUM * amplified * stress.bending[k][i].abs());
+            let error = VOIGT[i] * (errors.bending[k][i] + SUM * amplified * stress.bending(k)[i].abs());
             let second = reference[i + 2].norm() + sizes[i + 2];
             for a in 0..VECTORS {
                 let tangential = dual[0] * shapes[0].0[a].abs() + dual[1] * shapes[1].0[a].abs();

@@ -2,11 +2,11 @@
 
 use nalgebra::{SMatrix, Vector3};
 
-use super::laminates::{MembranePoints, to_orthonormal};
-use super::profile::{
-    BendingPoint, MEMBRANE, MembraneStiffness, POINTS, ShellProfile, ShellTables, integration_points,
-};
+use super::membrane_stiffness::MembraneStiffness;
+use super::profile::ShellProfile;
 use super::surface_state::ShellStrains;
+use super::tables::{MEMBRANE, POINTS, ShellTables, integration_points};
+use crate::shells::laminates::{MembranePoints, to_orthonormal};
 
 /// Law of the membrane forces at the integration points of an element.
 #[derive(Clone, Debug)]
@@ -15,11 +15,12 @@ pub(crate) struct NonlinearMembrane(MembranePoints);
 impl NonlinearMembrane {
     /// Creates the law at the points of an element; `None` for a linear one.
     pub(crate) fn new(profile: &ShellProfile) -> Option<Self> {
-        let of = |(k, (point, (_, weight))): (usize, (&BendingPoint, ([f64; 2], f64)))| {
+        let of = |(k, (_, weight)): (usize, ([f64; 2], f64))| {
+            let point = profile.points.at(k);
             let [t, s, ..] = &point.reference;
             (to_orthonormal([t, s], t), weight * point.area * profile.scale(k))
         };
-        let points = profile.points.iter().zip(integration_points()).enumerate().map(of);
+        let points = integration_points().into_iter().enumerate().map(of);
         MembranePoints::new(&profile.medium.section, points).map(Self)
     }
 

@@ -1,5 +1,7 @@
 //! Bicubic Hermite functions of the Bogner-Fox-Schmit rectangle.
 
+use nalgebra::Vector3;
+
 /// Number of nodal vectors of an element: r, r_ξ, r_η, r_ξη at four nodes.
 pub const VECTORS: usize = 16;
 
@@ -72,4 +74,9 @@ mod tests {
             }
         }
     }
+}
+
+/// Returns the nodal vectors of a slice of coordinates.
+pub(crate) fn vectors(x: &[f64]) -> [Vector3<f64>; VECTORS] {
+    std::array::from_fn(|i| Vector3::new(x[3 * i], x[3 * i + 1], x[3 * i + 2]))
 }

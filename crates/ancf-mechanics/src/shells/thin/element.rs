@@ -1,20 +1,20 @@
 use std::sync::Arc;
 
-use ancf_solver::equations::{
-    Energy, Inadmissibility, Local, LocalMatrix, LocalStep, Term, Weights, velocity_forces,
-};
+use ancf_solver::equations::{Energy, Inadmissibility, Local, LocalMatrix, LocalStep, Term, Weights};
 use nalgebra::Vector3;
 use pulp::Arch;
 
-use super::hermite::{Shape, VECTORS};
-use super::laminates::SectionField;
+use super::hermite::{Shape, VECTORS, vectors};
+use super::membrane_stiffness::MembraneStiffness;
 use super::nonlinear_membrane::NonlinearMembrane;
-use super::prestrain::{StrainField, StrainedElement};
-use super::profile::{MembraneStiffness, POINTS, ShellMedium, ShellProfile, ShellTables, sum};
+use super::profile::{ShellMedium, ShellProfile};
 use super::rounding::{add_rounding, add_stress_rounding};
 use super::stiffness::{ShellMatrix, StiffnessJob};
 use super::surface_state::{ShellStrains, SurfaceState, surface_areas};
+use super::tables::{POINTS, ShellTables, sum};
 use crate::kinematics::relative_rotation;
+use crate::shells::laminates::SectionField;
+use crate::shells::prestrain::{StrainField, StrainedElement};
 
 /// Area of the surface, relative to the reference, below which an element counts as inverted.
 const CRUSHED: f64 = 1e-2;
@@ -23,7 +23,7 @@ const CRUSHED: f64 = 1e-2;
 ///
 /// Coordinates are the components of the vectors minus their reference values. The membrane strains ½ (a_αβ − A_αβ) are evaluated
 /// at 3 × 3 Lobatto points and interpolated, which prevents membrane locking. The curvatures b_αβ = r_,αβ · n are exact, at 4 × 4
-/// Gauss points. Stresses are linear in them (St. Venant-Kirchhoff law in plane stress, [`ShellSection`](super::ShellSection)) unless the section has another law
+/// Gauss points. Stresses are linear in them (St. Venant-Kirchhoff law in plane stress, [`ShellSection`](crate::shells::ShellSection)) unless the section has another law
 /// of the membrane forces.
 /// The mass matrix is constant; rotary inertia of the sections is neglected.
 ///
@@ -35,11 +35,6 @@ pub struct Shell48 {
     profile: Arc<ShellProfile>,
     /// Law of the membrane forces if it is not linear.
     nonlinear: Option<Arc<NonlinearMembrane>>,
-}
-
-/// Returns the nodal vectors of a slice of coordinates.
-fn vectors(x: &[f64]) -> [Vector3<f64>; VECTORS] {
-    std::array::from_fn(|i| Vector3::new(x[3 * i], x[3 * i + 1], x[3 * i + 2]))
 }
 
 impl Shell48 {
@@ -106,21 +101,22 @@ impl Shell48 {
         (&self.tables, &self.profile)
     }
 
-    /// Computes the stresses of strains by the law of the section.
-    fn elastic_stress(&self, strains: &ShellStrains) -> ShellStrains {
-        match &self.nonlinear {
-            Some(membrane) => membrane.stress(self.data(), strains),
-            None => self.profile.stress(&self.tables, strains),
-        }
-    }
-
     /// Computes the stresses of a state, with those of the damping.
     fn stress(&self, state: &SurfaceState, at: &Local<'_>) -> ShellStrains {
-        let mut stress = self.elastic_stress(&state.strains);
-        if self.profile.medium.retardation != 0.0 {
-            stress.add(1.0, &self.profile.stress(&self.tables, &self.retarded(state, at)));
+        if self.profile.medium.retardation == 0.0 {
+            return match &self.nonlinear {
+                Some(membrane) => membrane.stress(self.data(), &state.strains),
+                None => self.profile.stress(&self.tables, &state.strains),
+            };
         }
-        stress
+        let mut retarded = self.retarded(state, at);
+        if let Some(membrane) = &self.nonlinear {
+            let mut stress = membrane.stress(self.data(), &state.strains);
+            stress.add(1.0, &self.profile.stress(&self.tables, &retarded));
+            return stress;
+        }
+        retarded.add(1.0, &state.strains);
+        self.profile.stress(&self.tables, &retarded)
     }
 
     /// Computes `material` times the material stiffness, or a given one of the membrane strains, plus the stiffness of stresses.
@@ -193,14 +189,14 @@ impl Shell48 {
         let moved = middle.rates(&self.tables, &std::array::from_fn(|a| to[a] - from[a]));
         let sizes: f64 = to.iter().chain(&from).map(|x| x.norm()).sum();
         for k in 0..POINTS {
-            let (m, d) = (stress.bending[k], moved.bending[k]);
-            let missed = after.bending[k] - before.bending[k] - d;
-            let stiffness = self.profile.points[k].bending * d;
+            let (m, d) = (stress.bending(k), moved.bending(k));
+            let missed = after.bending(k) - before.bending(k) - d;
+            let stiffness = self.profile.points.bending(k) * d;
             let (work, square) = (m.dot(&missed), d.dot(&stiffness));
-            let curved = before.bending[k].norm() + after.bending[k].norm() + d.norm();
+            let curved = before.bending(k).norm() + after.bending(k).norm() + d.norm();
             let bound = 8.0 * f64::EPSILON * m.norm() * (curved + sizes);
             if work.abs() > bound && square > 0.0 {
-                stress.bending[k] += stiffness * (work / square);
+                stress.set_bending(k, &(m + stiffness * (work / square)));
             }
         }
     }
@@ -289,14 +285,14 @@ impl Term for Shell48 {
     fn inadmissibility(&self, at: &Local<'_>) -> Option<Inadmissibility> {
         let areas = surface_areas(&self.tables, &self.profile, &vectors(at.q));
         let is_admissible =
-            areas.iter().zip(&self.profile.points).all(|(area, rest)| *area > CRUSHED * rest.area);
+            areas.iter().zip(self.profile.points.areas.0).all(|(area, rest)| *area > CRUSHED * rest);
         (!is_admissible).then_some(Inadmissibility::InvertedElement)
     }
 
     fn rotation(&self, from: &Local<'_>, to: &Local<'_>) -> f64 {
         let [from, to] = [from, to].map(|at| self.state(at.q));
         let of = |k: usize| {
-            let [a, b] = [&from.points[k], &to.points[k]];
+            let [a, b] = [from.points.at(k), to.points.at(k)];
             relative_rotation([
                 [a.tangents[0], b.tangents[0]],
                 [a.tangents[1], b.tangents[1]],
@@ -322,9 +318,14 @@ impl Term for Shell48 {
     }
 
     fn damping_forces(&self, at: &Local<'_>, r: &mut [f64]) {
-        if self.is_damped() {
-            velocity_forces(self, at, r);
+        if !self.is_damped() {
+            return;
         }
+        let state = self.state(at.q);
+        let stress = self.profile.stress(&self.tables, &self.retarded(&state, at));
+        let moved = vectors(at.v).map(|v| v * self.profile.medium.mass_damping);
+        let force = state.forces(self.data(), &stress, &moved);
+        r.iter_mut().zip(force.iter().flatten()).for_each(|(row, force)| *row += force);
     }
 }
 
@@ -353,8 +354,9 @@ impl StrainedElement for Shell48 {
         for (k, ([t, s], sample)) in profile.samples.iter().zip(&self.tables.samples).enumerate() {
             strains.membrane[k] = at(POINTS + k, [t, s])[0][sample.component];
         }
-        for (k, point) in profile.points.iter().enumerate() {
-            strains.bending[k] = at(k, [&point.reference[0], &point.reference[1]])[1];
+        for k in 0..POINTS {
+            let [t, s, ..] = profile.points.at(k).reference;
+            strains.set_bending(k, &at(k, [&t, &s])[1]);
         }
         strains
     }

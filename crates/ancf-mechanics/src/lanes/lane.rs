@@ -73,6 +73,22 @@ impl<S: Simd> Clone for Lane<S> {
 
 impl<S: Simd> Lane<S> {
     #[inline(always)]
+    pub fn new(simd: S, x: S::f64s) -> Self {
+        Self { simd, x }
+    }
+
+    /// Returns a lane with equal numbers.
+    #[inline(always)]
+    pub fn splat(simd: S, x: f64) -> Self {
+        Self::new(simd, simd.splat_f64s(x))
+    }
+
+    #[inline(always)]
+    pub fn register(self) -> S::f64s {
+        self.x
+    }
+
+    #[inline(always)]
     fn of(self, x: S::f64s) -> Self {
         Self { simd: self.simd, x }
     }
@@ -157,6 +173,12 @@ pub(crate) fn minus<S: Simd>(x: VectorLanes<S>, y: VectorLanes<S>) -> VectorLane
 #[inline(always)]
 pub(crate) fn dot<S: Simd>(x: VectorLanes<S>, y: VectorLanes<S>) -> Lane<S> {
     x[2].mul_add(y[2], x[1].mul_add(y[1], x[0] * y[0]))
+}
+
+#[inline(always)]
+pub(crate) fn cross<S: Simd>(x: VectorLanes<S>, y: VectorLanes<S>) -> VectorLanes<S> {
+    let of = |i: usize, j: usize| x[i].mul_add(y[j], -(x[j] * y[i]));
+    [of(1, 2), of(2, 0), of(0, 1)]
 }
 
 /// Computes sum + x·y.

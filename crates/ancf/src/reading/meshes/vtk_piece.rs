@@ -1,0 +1,38 @@
+//! Data of a part of a file of VTK, common to all formats.
+
+/// Part of a file with points of its own.
+#[derive(Debug, Default)]
+pub(super) struct VtkPiece {
+    pub(super) points: Vec<f64>,
+    /// Types and points of the cells.
+    pub(super) cells: Vec<(u8, Vec<u64>)>,
+    pub(super) of_points: Vec<Labels>,
+    pub(super) of_cells: Vec<Labels>,
+}
+
+/// Array of integers with its name, one number for each point or cell.
+pub(super) type Labels = (String, Vec<i64>);
+
+/// Types of cells.
+pub(super) mod kinds {
+    pub(crate) const VERTEX: u8 = 1;
+    pub(crate) const VERTICES: u8 = 2;
+    pub(crate) const LINE: u8 = 3;
+    pub(crate) const LINES: u8 = 4;
+    pub(crate) const TRIANGLE: u8 = 5;
+    pub(crate) const STRIP: u8 = 6;
+    pub(crate) const POLYGON: u8 = 7;
+    pub(crate) const PIXEL: u8 = 8;
+    pub(crate) const QUADRILATERAL: u8 = 9;
+}
+
+/// Returns lists of points of cells from their ends. A first end of zero is that of no cell.
+pub(super) fn lists(points: &[u64], ends: &[u64]) -> Result<Vec<Vec<u64>>, String> {
+    let ends = if ends.first() == Some(&0) { &ends[1..] } else { ends };
+    let (mut lists, mut start) = (Vec::with_capacity(ends.len()), 0);
+    for end in ends.iter().map(|end| *end as usize) {
+        lists.push(points.get(start..end).ok_or("offsets of cells that do not fit their points")?.to_vec());
+        start = end;
+    }
+    Ok(lists)
+}

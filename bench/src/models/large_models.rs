@@ -56,6 +56,46 @@ pub fn probes(count: u32, steps: u32) -> String {
     text
 }
 
+/// Returns the model file of a rubber plate of thin elements that swings about an edge, held at its two corners.
+pub fn plate(elements: u32, steps: u32) -> String {
+    let corner = |name: &str, v: u32| {
+        format!(
+            "[[joints]]\nkind = \"spherical\"\nname = \"{name}\"\na = {{ body = \"plate\", at = [0, {v}] }}\n\n"
+        )
+    };
+    format!(
+        r#"
+gravity = [0.0, 0.0, -9.81]
+
+[materials.rubber]
+density = 1100.0
+young = 5e6
+poisson = 0.4
+damping = {{ strain = 1e-4 }}
+
+[[bodies]]
+kind = "shell"
+name = "plate"
+surface = {{ kind = "flat", corner = [0, 0, 0], side_u = [1, 0, 0], side_v = [0, 1, 0] }}
+elements = [{elements}, {elements}]
+thickness = 0.01
+material = "rubber"
+
+{}{}[[probes]]
+name = "corner"
+on = {{ body = "plate", at = [1, 1] }}
+
+[analysis]
+kind = "dynamics"
+duration = {:?}
+step = 2e-3
+"#,
+        corner("left", 0),
+        corner("right", 1),
+        2e-3 * f64::from(steps)
+    )
+}
+
 /// Returns the model file of a long cantilever beam with stored states.
 pub fn frames(elements: u32, states: u32) -> String {
     format!("{HEAD}{}{}", beam(elements, 0.01 * f64::from(elements)), dynamics(states - 1, states))

@@ -5,5 +5,5 @@ mod large_models;
 mod structures;
 
 pub use contact_models::{crossing, pile, plane};
-pub use large_models::{chain, frames, modes, probes};
+pub use large_models::{chain, frames, modes, plate, probes};
 pub use structures::{lattice, net, platform};

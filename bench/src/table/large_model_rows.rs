@@ -1,9 +1,6 @@
 //! Rows of large models: costs of the program outside the time steps.
 
-use std::fs;
-use std::path::Path;
-
-use super::process::{ProgramCost, program_run};
+use super::process::{ProgramCost, program_run, run, with_model};
 use super::row::{MeasuredValue, RowSpec, RowUnit};
 use crate::Result;
 use crate::models::{chain, frames, modes, probes};
@@ -46,18 +43,6 @@ pub(super) const ROWS: [(RowSpec, Measure); 10] = [
 
 fn measured(value: f64, note: impl Into<String>) -> Result<MeasuredValue> {
     Ok(MeasuredValue { value, note: note.into(), bound: None })
-}
-
-/// Calls `measure` with a folder that contains the file `model.toml`.
-fn with_model(text: &str, measure: impl FnOnce(&Path) -> Result<ProgramCost>) -> Result<ProgramCost> {
-    let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
-    fs::write(folder.path().join("model.toml"), text).map_err(|error| error.to_string())?;
-    measure(folder.path())
-}
-
-/// Runs a model into the folder `out`.
-fn run(folder: &Path) -> Result<ProgramCost> {
-    program_run(folder, &["run", "model.toml", "--output", "out", "--quiet"])
 }
 
 fn per_body(cost: ProgramCost) -> Result<MeasuredValue> {

@@ -6,6 +6,7 @@ pub mod lower_bounds;
 pub mod process;
 mod row;
 mod rows;
+mod shell_rows;
 mod table_report;
 
 pub use row::{LimitingResource, LowerBound, MeasuredValue, RowSpec, RowUnit, TableRow};

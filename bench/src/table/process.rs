@@ -125,6 +125,24 @@ pub fn program_run(folder: &Path, arguments: &[&str]) -> Result<ProgramCost> {
     serde_json::from_slice(&output.stdout).map_err(|error| error.to_string())
 }
 
+/// Calls `measure` with a folder that contains the file `model.toml`.
+///
+/// # Errors
+/// If the file cannot be written, or those of `measure`.
+pub fn with_model(text: &str, measure: impl FnOnce(&Path) -> Result<ProgramCost>) -> Result<ProgramCost> {
+    let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
+    fs::write(folder.path().join("model.toml"), text).map_err(|error| error.to_string())?;
+    measure(folder.path())
+}
+
+/// Runs a model into the folder `out`.
+///
+/// # Errors
+/// If the run fails.
+pub fn run(folder: &Path) -> Result<ProgramCost> {
+    program_run(folder, &["run", "model.toml", "--output", "out", "--quiet"])
+}
+
 /// Measures a run of the program `ancf`. It is the only child process of this process.
 ///
 /// # Errors

@@ -573,10 +573,11 @@ class ElementMesh(Part):
     elements
         Elements: numbers of four or three nodes each, counter-clockwise seen from the side of the normal.
     file
-        Path of a mesh file of Gmsh (.msh, version 2.2 or 4.1, text), relative to the folder of the model
-        file, instead of lists.
+        Path of a mesh file of Gmsh (.msh, version 2.2 or 4.1, text) or VTK (.vtk, .vtu, .vtp), relative to
+        the folder of the model file, instead of lists.
     groups
-        Named points, edges and regions. Those of a file are its physical groups.
+        Named points, edges and regions. Those of a file are its physical groups, or the numbers of its arrays
+        of integers.
     nodes
         Nodes, length.
     scale

@@ -57,9 +57,10 @@ pub(crate) struct TangentCheckpoint {
     made: Option<State>,
 }
 
-/// Smallest and largest cost of a new factorised tangent, in iterations with an old one. Beyond the largest one old tangents converge
-/// too slowly to pay off, whatever a new one costs.
-const RENEWAL_COST: [f64; 2] = [3.0, 10.0];
+/// Cost of a new factorised tangent of a chain, in iterations with an old one.
+const CHAIN_COST: u32 = 3;
+/// Smallest and largest cost in other structures. Larger ones changed measured times by a few percent only.
+const RENEWAL_COST: [f64; 2] = [6.0, 10.0];
 /// Rate of an approximate tangent below which it is kept, and above which it is renewed.
 const FAST: f64 = 0.05;
 const SLOW: f64 = 0.6;
@@ -74,8 +75,8 @@ const MAX_PAUSE: u32 = 64;
 ///
 /// The evaluation of the terms adds to both in similar proportions, as measured on chains, nets, lattices and plates.
 fn renewal_cost(matrix: &SparseMatrix) -> u32 {
-    let [least, most] = RENEWAL_COST;
-    matrix.pattern().supernodes().factor_cost().round().clamp(least, most) as u32
+    let (cost, [least, most]) = (matrix.pattern().supernodes().factor_cost(), RENEWAL_COST);
+    if cost < least { CHAIN_COST } else { cost.min(most) as u32 }
 }
 
 impl NewtonTangent {

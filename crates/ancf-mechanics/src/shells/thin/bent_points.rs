@@ -70,6 +70,11 @@ impl BendingPoints {
         }
     }
 
+    /// Returns A of the point k.
+    pub(crate) fn membrane(&self, k: usize) -> Matrix3<f64> {
+        Matrix3::from_fn(|i, j| self.membrane[UPPER[i][j]].0[k])
+    }
+
     /// Returns D of the point k.
     #[inline(always)]
     pub(crate) fn bending(&self, k: usize) -> Matrix3<f64> {

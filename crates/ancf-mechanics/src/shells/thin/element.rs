@@ -22,7 +22,7 @@ const CRUSHED: f64 = 1e-2;
 /// Thin shell element: bicubic Hermite surface with the nodal vectors r, r_ξ, r_η, r_ξη, and Kirchhoff-Love strains.
 ///
 /// Coordinates are the components of the vectors minus their reference values. The membrane strains ½ (a_αβ − A_αβ) are evaluated
-/// at 3 × 3 Lobatto points and interpolated, which prevents membrane locking. The curvatures b_αβ = r_,αβ · n are exact, at 4 × 4
+/// at 3 × 4, 4 × 3 and 3 × 3 Lobatto points and interpolated, which prevents membrane locking. The curvatures b_αβ = r_,αβ · n are exact, at 4 × 4
 /// Gauss points. Stresses are linear in them (St. Venant-Kirchhoff law in plane stress, [`ShellSection`](crate::shells::ShellSection)) unless the section has another law
 /// of the membrane forces.
 /// The mass matrix is constant; rotary inertia of the sections is neglected.

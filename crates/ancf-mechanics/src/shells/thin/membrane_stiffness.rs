@@ -48,17 +48,6 @@ impl MembraneStiffness {
         stress
     }
 
-    /// Computes |R|ᵀ |R| x, a bound of the rounding error of D ε for errors of size x.
-    pub(crate) fn bound(&self, x: &[f64; MEMBRANE]) -> [f64; MEMBRANE] {
-        let mut bound = [0.0; MEMBRANE];
-        for t in 0..MEMBRANE {
-            let row = self.row(t);
-            let part: f64 = row.iter().zip(&x[t..]).map(|(r, x)| r.abs() * x).sum();
-            bound[t..].iter_mut().zip(row).for_each(|(bound, r)| *bound += r.abs() * part);
-        }
-        bound
-    }
-
     /// Replaces the rows B by R B.
     #[inline(always)]
     pub(crate) fn multiply<S: Simd>(&self, simd: S, rows: &mut [[Row; 3]; MEMBRANE]) {

@@ -80,8 +80,20 @@ fn membrane_errors(
     strains: &ShellStrains,
     of: &Errors,
 ) -> [f64; MEMBRANE] {
-    let of_strain = std::array::from_fn(|t| of.membrane[t] + SUM * strains.membrane[t].abs());
-    let mut error = profile.membrane.bound(&of_strain);
+    let mut error = [0.0; MEMBRANE];
+    for (k, sampling) in tables.sampling.iter().enumerate() {
+        let mut at_point = [0.0; 3];
+        for (t, strain) in strains.membrane.iter().enumerate() {
+            at_point[tables.samples[t].component] +=
+                sampling[t].abs() * (of.membrane[t] + SUM * strain.abs());
+        }
+        let stiffness = profile.points.membrane(k);
+        for (t, error) in error.iter_mut().enumerate() {
+            let i = tables.samples[t].component;
+            let force: f64 = (0..3).map(|j| stiffness[(i, j)].abs() * at_point[j]).sum();
+            *error += sampling[t].abs() * force;
+        }
+    }
     for (k, coupling) in profile.coupling.iter().enumerate() {
         let bent = strains.bending(k);
         for (r, error) in error.iter_mut().enumerate() {

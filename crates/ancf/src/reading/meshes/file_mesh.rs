@@ -46,6 +46,9 @@ impl FileMesh {
         if places.len() < nodes.len() {
             return Err("a number of a node a second time".into());
         }
+        if let Some((tag, _)) = nodes.iter().find(|(_, place)| place.iter().any(|x| !x.is_finite())) {
+            return Err(format!("node {tag} at a place that is not finite"));
+        }
         let (mut mesh, mut numbers) = (Self::default(), HashMap::<u64, usize>::new());
         for element in elements.iter().filter(|element| element.dimension == FACE) {
             let mut own = Vec::with_capacity(element.nodes.len());

@@ -20,6 +20,8 @@ use self::file_mesh::{FileMesh, MeshGroup};
 use crate::errors::{Finding, ModelError, ModelErrors, finding, quoted};
 use crate::schema::{Document, position};
 
+/// First words of lists.
+const LISTS: &str = "nodes = [";
 /// Maximum size of a mesh file in bytes.
 const MAX_BYTES: u64 = 100_000_000;
 
@@ -72,10 +74,10 @@ pub(super) fn embed_meshes(mut text: String, folder: &Path) -> Result<String, Mo
 
 /// Returns true for the content of a mesh file in place of its path.
 fn is_content(file: &str) -> bool {
-    file.starts_with(gmsh::START) || file.starts_with('{')
+    file.starts_with(gmsh::START) || file.starts_with(LISTS)
 }
 
-/// Returns the content of a mesh file: the text of a file of Gmsh, or the lists of a file of VTK as JSON. Errors are descriptions of what
+/// Returns the content of a mesh file: the text of a file of Gmsh, or the lists of a file of VTK as TOML. Errors are descriptions of what
 /// was found.
 fn read(path: &Path) -> Result<String, String> {
     let file = fs::File::open(path).map_err(|error| error.to_string())?;
@@ -90,7 +92,7 @@ fn read(path: &Path) -> Result<String, String> {
     }
     if vtk::is_vtk(&bytes) {
         let mesh = vtk::parse(&bytes)?;
-        return serde_json::to_string(&mesh).map_err(|error| error.to_string());
+        return toml::to_string(&mesh).map_err(|error| error.to_string());
     }
     Err(format!("a file that starts neither with {} nor as a file of VTK", gmsh::START))
 }
@@ -100,7 +102,7 @@ fn parse(content: &str) -> Result<FileMesh, String> {
     if content.starts_with(gmsh::START) {
         gmsh::parse(content)
     } else {
-        serde_json::from_str(content).map_err(|error| error.to_string())
+        toml::from_str(content).map_err(|error| error.to_string())
     }
 }
 
@@ -154,7 +156,8 @@ pub(super) fn read_meshes(data: &mut Value) -> Vec<Finding> {
                 mesh.extend(lists(read, scale));
             }
             Err(found) => {
-                let expected = "a mesh of quadrilaterals and triangles, in Gmsh of version 2.2 or 4.1";
+                let expected =
+                    "a mesh of quadrilaterals and triangles, of Gmsh in version 2.2 or 4.1 or of VTK";
                 findings.push(finding(format!("{path}.file"), found, expected));
             }
         }

@@ -1,9 +1,7 @@
 //! Legacy files of VTK.
 
-use std::panic::{AssertUnwindSafe, catch_unwind};
-
-use vtkio::Vtk;
 use vtkio::model::{Attribute, DataSet, IOBuffer, Piece, ScalarType, VertexNumbers};
+use vtkio::parser::parse_be;
 
 use super::vtk_piece::{Labels, VtkPiece, kinds, lists};
 
@@ -17,12 +15,17 @@ pub(super) fn is_legacy(bytes: &[u8]) -> bool {
 
 /// Reads an unstructured grid or polygons.
 pub(super) fn read(bytes: &[u8]) -> Result<Vec<VtkPiece>, String> {
-    let read = || Vtk::parse_legacy_be(&with_known_types(bytes)[..]);
-    let data = match catch_unwind(AssertUnwindSafe(read)) {
-        Ok(Ok(file)) => file.data,
-        Ok(Err(error)) => return Err(error.to_string()),
-        Err(_) => return Err("its data do not fit together".into()),
-    };
+    let text = with_known_types(bytes);
+    let (rest, file) = parse_be(&text).map_err(|error| match error {
+        nom_error if nom_error.is_incomplete() => "it ends too early".to_owned(),
+        _ => "a header or a number in it is not known".to_owned(),
+    })?;
+    // The reader ends at the first unknown attribute.
+    if let Some(start) = rest.iter().position(|byte| !byte.is_ascii_whitespace()) {
+        let word = rest[start..].split(u8::is_ascii_whitespace).next().unwrap_or_default();
+        return Err(format!("data of the kind \"{}\"", String::from_utf8_lossy(&word[..word.len().min(40)])));
+    }
+    let data = file.data;
     let mut all = Vec::new();
     match data {
         DataSet::UnstructuredGrid { pieces, .. } => {
@@ -68,20 +71,44 @@ pub(super) fn read(bytes: &[u8]) -> Result<Vec<VtkPiece>, String> {
     Ok(all)
 }
 
-/// Returns a file of version 5 with the older name of 64-bit integers in the headers of its arrays. The reader knows the new one in
+/// Returns a file of version 5 with the older names of 64-bit integers in the headers of its arrays. The reader knows the new one in
 /// lists of cells only.
 fn with_known_types(bytes: &[u8]) -> Vec<u8> {
-    const NEW: &[u8] = b" vtktypeint64";
+    const NEW: [(&[u8], &[u8]); 2] = [(b" vtktypeint64", b" long"), (b" vtktypeuint64", b" unsigned_long")];
     let (mut known, mut rest) = (Vec::with_capacity(bytes.len()), bytes);
-    while let Some(at) = rest.windows(NEW.len()).position(|part| part == NEW) {
-        let (before, after) = (&rest[..at], &rest[at + NEW.len()..]);
-        let is_of_cells = before.ends_with(b"OFFSETS") || before.ends_with(b"CONNECTIVITY");
-        known.extend_from_slice(before);
-        known.extend_from_slice(if is_of_cells { NEW } else { b" long" });
-        rest = after;
+    while let Some((first, after)) = rest.split_first() {
+        let is_of_cells = known.ends_with(b"OFFSETS") || known.ends_with(b"CONNECTIVITY");
+        match NEW.iter().find(|(name, _)| *first == b' ' && rest.starts_with(name) && !is_of_cells) {
+            Some((name, old)) => {
+                known.extend_from_slice(old);
+                rest = &rest[name.len()..];
+            }
+            None => {
+                known.push(*first);
+                rest = after;
+            }
+        }
     }
-    known.extend_from_slice(rest);
     known
+}
+
+/// Decodes a name, in which special characters are written as % and two hexadecimal digits.
+fn decoded(name: &str) -> String {
+    let (mut bytes, mut rest) = (Vec::new(), name.as_bytes());
+    while let Some((first, after)) = rest.split_first() {
+        let digits = after.get(..2).and_then(|digits| std::str::from_utf8(digits).ok());
+        match digits.filter(|_| *first == b'%').and_then(|digits| u8::from_str_radix(digits, 16).ok()) {
+            Some(byte) => {
+                bytes.push(byte);
+                rest = &after[2..];
+            }
+            None => {
+                bytes.push(*first);
+                rest = after;
+            }
+        }
+    }
+    String::from_utf8_lossy(&bytes).into_owned()
 }
 
 fn numbers(points: &IOBuffer) -> Result<Vec<f64>, String> {
@@ -92,14 +119,19 @@ fn numbers(points: &IOBuffer) -> Result<Vec<f64>, String> {
 fn cells(cells: &VertexNumbers) -> Result<Vec<Vec<u64>>, String> {
     let mut all = Vec::new();
     match cells {
-        VertexNumbers::Legacy { vertices, .. } => {
+        VertexNumbers::Legacy { vertices, num_cells } => {
             let mut rest = &vertices[..];
             while let Some((count, following)) = rest.split_first() {
                 let list = following.get(..*count as usize).ok_or("a list of cells that ends too early")?;
                 all.push(list.iter().map(|k| u64::from(*k)).collect());
                 rest = &following[list.len()..];
             }
-            Ok(all)
+            let expected = *num_cells as usize;
+            if all.len() == expected {
+                Ok(all)
+            } else {
+                Err(format!("{} cells instead of {expected}", all.len()))
+            }
         }
         VertexNumbers::XML { connectivity, offsets } => lists(connectivity, offsets),
     }
@@ -109,9 +141,9 @@ fn cells(cells: &VertexNumbers) -> Result<Vec<Vec<u64>>, String> {
 fn labels(attributes: &[Attribute]) -> Vec<Labels> {
     let mut labels = Vec::new();
     let mut add = |name: &str, components: usize, data: &IOBuffer| {
-        let is_integer = !matches!(data.scalar_type(), ScalarType::F32 | ScalarType::F64);
+        let is_integer = !matches!(data.scalar_type(), ScalarType::Bit | ScalarType::F32 | ScalarType::F64);
         if let Some(values) = data.cast_into::<i64>().filter(|_| is_integer && components == 1) {
-            labels.push((name.to_owned(), values));
+            labels.push((decoded(name), values));
         }
     };
     for attribute in attributes {

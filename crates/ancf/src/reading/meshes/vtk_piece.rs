@@ -10,6 +10,27 @@ pub(super) struct VtkPiece {
     pub(super) of_cells: Vec<Labels>,
 }
 
+impl VtkPiece {
+    /// Checks that the numbers of points, cells and labels fit together.
+    pub(super) fn check(&self) -> Result<(), String> {
+        let count = self.points.len() / 3;
+        if self.points.len() != 3 * count {
+            return Err(format!("{} coordinates of points", self.points.len()));
+        }
+        for (k, (_, points)) in self.cells.iter().enumerate() {
+            if let Some(point) = points.iter().find(|point| **point >= count as u64) {
+                return Err(format!("cell {k} with the point {point} of {count}"));
+            }
+        }
+        for (labels, expected) in [(&self.of_points, count), (&self.of_cells, self.cells.len())] {
+            if let Some((name, values)) = labels.iter().find(|(_, values)| values.len() != expected) {
+                return Err(format!("the array \"{name}\" with {} numbers for {expected}", values.len()));
+            }
+        }
+        Ok(())
+    }
+}
+
 /// Array of integers with its name, one number for each point or cell.
 pub(super) type Labels = (String, Vec<i64>);
 
@@ -33,6 +54,9 @@ pub(super) fn lists(points: &[u64], ends: &[u64]) -> Result<Vec<Vec<u64>>, Strin
     for end in ends.iter().map(|end| *end as usize) {
         lists.push(points.get(start..end).ok_or("offsets of cells that do not fit their points")?.to_vec());
         start = end;
+    }
+    if start != points.len() {
+        return Err("offsets of cells that do not fit their points".into());
     }
     Ok(lists)
 }

@@ -5,6 +5,7 @@
 //!
 //! Source: VTK documentation, section "VTK XML file formats".
 
+use std::cell::Cell;
 use std::io::Read;
 
 use base64::Engine;
@@ -18,8 +19,8 @@ use super::vtk_piece::{Labels, VtkPiece, kinds, lists};
 const ROOT: &str = "<VTKFile";
 /// Name of the section of data at the end.
 const APPENDED: &[u8] = b"<AppendedData";
-/// Largest size of decompressed data in bytes.
-const MAX_BYTES: usize = 1_000_000_000;
+/// Largest size of all data of a file in bytes.
+const MAX_BYTES: usize = 200_000_000;
 
 /// Returns true for the start of an XML file.
 pub(super) fn is_xml(bytes: &[u8]) -> bool {
@@ -36,6 +37,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Vec<VtkPiece>, String> {
         word: if root.attribute("header_type") == Some("UInt64") { 8 } else { 4 },
         compressor: root.attribute("compressor").map(str::to_owned),
         appended,
+        left: Cell::new(MAX_BYTES),
     };
     let kind = root.attribute("type").unwrap_or("no type");
     let data = child(root, kind).filter(|_| ["UnstructuredGrid", "PolyData"].contains(&kind));
@@ -54,7 +56,7 @@ fn divide(bytes: &[u8]) -> Result<(String, Option<(bool, &[u8])>), String> {
     };
     let section = &bytes[start..];
     let end = section.iter().position(|byte| *byte == b'>').ok_or("AppendedData without an end")?;
-    let is_base64 = utf8(&section[..end])?.contains("base64");
+    let is_base64 = !utf8(&section[..end])?.contains("\"raw\"");
     // An underscore is before the first byte.
     let first = section[end..].iter().position(|byte| *byte == b'_').ok_or("AppendedData without data")?;
     Ok((utf8(&bytes[..start])? + "</VTKFile>", Some((is_base64, &section[end + first + 1..]))))
@@ -71,6 +73,8 @@ struct File<'a> {
     word: usize,
     compressor: Option<String>,
     appended: Option<(bool, &'a [u8])>,
+    /// Bytes that further arrays may have.
+    left: Cell<usize>,
 }
 
 /// Numbers of an array.
@@ -86,6 +90,10 @@ impl File<'_> {
             Numbers::Floats(points) => points,
             Numbers::Integers(points) => points.into_iter().map(|x| x as f64).collect(),
         };
+        let expected = piece.attribute("NumberOfPoints").and_then(|count| count.parse::<usize>().ok());
+        if let Some(expected) = expected.filter(|count| points.len() != 3 * count) {
+            return Err(format!("{} points instead of {expected}", points.len() / 3));
+        }
         let mut cells = Vec::new();
         if is_polygons {
             // Data of the cells have this order.
@@ -193,6 +201,7 @@ impl File<'_> {
         let data = Block { data, is_base64 };
         let Some(compressor) = &self.compressor else {
             let size = self.word(&data.bytes(0, self.word)?, 0)?;
+            self.spend(size)?;
             return Ok(data.bytes(0, self.word.saturating_add(size))?.split_off(self.word));
         };
         // Number of blocks, their size, the size of a shorter last one, and the sizes of the compressed blocks.
@@ -206,14 +215,18 @@ impl File<'_> {
         let (mut rest, mut all) = (&compressed[..], Vec::new());
         for (k, size) in sizes.into_iter().enumerate() {
             let expected = if k + 1 == count && last > 0 { last } else { block };
-            if all.len().saturating_add(expected) > MAX_BYTES {
-                return Err("more than 1 GB of data".into());
-            }
+            self.spend(expected)?;
             let (own, others) = rest.split_at(size);
             all.extend(decompressed(compressor, own, expected)?);
             rest = others;
         }
         Ok(all)
+    }
+
+    /// Counts bytes of data.
+    fn spend(&self, bytes: usize) -> Result<(), String> {
+        self.left.set(self.left.get().checked_sub(bytes).ok_or("more than 200 MB of data")?);
+        Ok(())
     }
 
     /// Returns a number of a header.

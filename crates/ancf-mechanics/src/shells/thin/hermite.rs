@@ -46,6 +46,11 @@ pub(crate) fn surface_derivatives(at: [f64; 2]) -> [Shape; 5] {
     DERIVATIVES.map(|order| bicubic(at, order))
 }
 
+/// Returns the nodal vectors of a slice of coordinates.
+pub(crate) fn vectors(x: &[f64]) -> [Vector3<f64>; VECTORS] {
+    std::array::from_fn(|i| Vector3::new(x[3 * i], x[3 * i + 1], x[3 * i + 2]))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -74,9 +79,4 @@ mod tests {
             }
         }
     }
-}
-
-/// Returns the nodal vectors of a slice of coordinates.
-pub(crate) fn vectors(x: &[f64]) -> [Vector3<f64>; VECTORS] {
-    std::array::from_fn(|i| Vector3::new(x[3 * i], x[3 * i + 1], x[3 * i + 2]))
 }

@@ -100,7 +100,7 @@ impl Content {
                 nodes.windows(2).for_each(|segment| add(1, segment.to_vec()));
             }
             (kinds::TRIANGLE | kinds::POLYGON, 3) | (kinds::QUADRILATERAL | kinds::POLYGON, 4) => {
-                add(2, nodes)
+                add(FACE, nodes);
             }
             // Rows instead of a cycle.
             (kinds::PIXEL, 4) => add(FACE, [0, 1, 3, 2].map(|k| nodes[k]).to_vec()),

@@ -46,8 +46,8 @@ pub(super) fn read(bytes: &[u8]) -> Result<Vec<VtkPiece>, String> {
     pieces.map(|piece| file.piece(piece, kind == "PolyData")).collect()
 }
 
-/// Returns the text of a file without the data at its end, and these data: true for base64.
-fn divide(bytes: &[u8]) -> Result<(String, Option<(bool, &[u8])>), String> {
+/// Returns the text of a file without the data at its end, and these data.
+fn divide(bytes: &[u8]) -> Result<(String, Option<Block<'_>>), String> {
     let utf8 = |bytes: &[u8]| {
         std::str::from_utf8(bytes).map(str::to_owned).map_err(|_| "text that is not UTF-8".to_owned())
     };
@@ -59,7 +59,7 @@ fn divide(bytes: &[u8]) -> Result<(String, Option<(bool, &[u8])>), String> {
     let is_base64 = !utf8(&section[..end])?.contains("\"raw\"");
     // An underscore is before the first byte.
     let first = section[end..].iter().position(|byte| *byte == b'_').ok_or("AppendedData without data")?;
-    Ok((utf8(&bytes[..start])? + "</VTKFile>", Some((is_base64, &section[end + first + 1..]))))
+    Ok((utf8(&bytes[..start])? + "</VTKFile>", Some(Block { data: &section[end + first + 1..], is_base64 })))
 }
 
 fn child<'a>(of: Node<'a, 'a>, name: &str) -> Option<Node<'a, 'a>> {
@@ -72,7 +72,7 @@ struct File<'a> {
     /// Size of the numbers in the headers of blocks.
     word: usize,
     compressor: Option<String>,
-    appended: Option<(bool, &'a [u8])>,
+    appended: Option<Block<'a>>,
     /// Bytes that further arrays may have.
     left: Cell<usize>,
 }
@@ -159,12 +159,12 @@ impl File<'_> {
         let text = || array.text().unwrap_or("").trim();
         let bytes = match array.attribute("format") {
             Some("ascii") | None => return written(kind, text()),
-            Some("binary") => self.decoded(text().as_bytes(), true)?,
+            Some("binary") => self.decoded(Block { data: text().as_bytes(), is_base64: true })?,
             Some("appended") => {
                 let offset = array.attribute("offset").and_then(|offset| offset.parse::<usize>().ok());
-                let (is_base64, data) = self.appended.ok_or("appended data that are missing")?;
+                let Block { data, is_base64 } = self.appended.ok_or("appended data that are missing")?;
                 let data = offset.and_then(|offset| data.get(offset..));
-                self.decoded(data.ok_or("an offset outside the appended data")?, is_base64)?
+                self.decoded(Block { data: data.ok_or("an offset outside the appended data")?, is_base64 })?
             }
             Some(format) => return Err(format!("data of the format {format}")),
         };
@@ -194,11 +194,10 @@ impl File<'_> {
     }
 
     /// Decodes a block of binary data.
-    fn decoded(&self, data: &[u8], is_base64: bool) -> Result<Vec<u8>, String> {
-        if data.is_empty() {
+    fn decoded(&self, data: Block<'_>) -> Result<Vec<u8>, String> {
+        if data.data.is_empty() {
             return Ok(Vec::new());
         }
-        let data = Block { data, is_base64 };
         let Some(compressor) = &self.compressor else {
             let size = self.word(&data.bytes(0, self.word)?, 0)?;
             self.spend(size)?;
@@ -243,6 +242,7 @@ impl File<'_> {
 }
 
 /// Binary data, in base64 or not.
+#[derive(Clone, Copy)]
 struct Block<'a> {
     data: &'a [u8],
     is_base64: bool,

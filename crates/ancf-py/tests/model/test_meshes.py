@@ -154,7 +154,7 @@ def test_polygons_of_vtk_are_read(compression: str, mode: str, tmp_path: Path) -
     """A cantilever with the load p, of a file that VTK itself writes: p L⁴/(8 D) with shear."""
     u, v = np.meshgrid(np.linspace(0, 2, 17), np.linspace(0, 0.5, 3))
     grid = ancf.grid_mesh(np.stack([u, v, 0 * u], axis=-1))
-    faces = [[4, *element] for element in grid.elements or ()]
+    faces = [[4, *element] for element in np.asarray(grid.elements).tolist()]
     surface = pyvista.PolyData(np.asarray(grid.nodes), faces=np.ravel(faces), lines=[3, 0, 17, 34])
     surface.cell_data["part"] = np.array([1] + [2] * len(faces), np.int32)
     surface.point_data["tip"] = (np.arange(51) == 33).astype(np.int32)

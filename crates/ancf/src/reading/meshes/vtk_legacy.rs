@@ -71,7 +71,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Vec<VtkPiece>, String> {
     Ok(all)
 }
 
-/// Returns a file of version 5 with the older names of 64-bit integers in the headers of its arrays. The reader knows the new one in
+/// Returns a file of version 5 with the older names of 64-bit integers in the headers of its arrays. The reader supports the new one in
 /// lists of cells only.
 fn with_known_types(bytes: &[u8]) -> Vec<u8> {
     const NEW: [(&[u8], &[u8]); 2] = [(b" vtktypeint64", b" long"), (b" vtktypeuint64", b" unsigned_long")];

@@ -59,6 +59,8 @@ pub(crate) struct TangentCheckpoint {
 
 /// Cost of a new factorised tangent of a chain, in iterations with an old one.
 const CHAIN_COST: u32 = 3;
+/// Number of unknowns below which the evaluation of the terms determines the cost. It is then that of a chain.
+const SMALL: usize = 500;
 /// Smallest and largest cost in other structures. Larger ones changed measured times by a few percent only.
 const RENEWAL_COST: [f64; 2] = [6.0, 10.0];
 /// Rate of an approximate tangent below which it is kept, and above which it is renewed.
@@ -76,7 +78,7 @@ const MAX_PAUSE: u32 = 64;
 /// The evaluation of the terms adds to both in similar proportions, as measured on chains, nets, lattices and plates.
 fn renewal_cost(matrix: &SparseMatrix) -> u32 {
     let (cost, [least, most]) = (matrix.pattern().supernodes().factor_cost(), RENEWAL_COST);
-    if cost < least { CHAIN_COST } else { cost.min(most) as u32 }
+    if matrix.pattern().size() < SMALL || cost < least { CHAIN_COST } else { cost.min(most) as u32 }
 }
 
 impl NewtonTangent {

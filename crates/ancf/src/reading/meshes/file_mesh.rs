@@ -34,7 +34,7 @@ pub(super) struct FileElement {
 }
 
 /// Dimension of quadrilaterals and triangles.
-const FACE: u32 = 2;
+pub(super) const FACE: u32 = 2;
 
 impl FileMesh {
     /// Creates the mesh of the quadrilaterals and triangles. Nodes of none are left out, since they have no effect.

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::file_mesh::{FileElement, FileMesh};
+use super::file_mesh::{FACE, FileElement, FileMesh};
 use super::vtk_piece::{Labels, VtkPiece, kinds};
 use super::{vtk_legacy, vtk_xml};
 
@@ -40,9 +40,6 @@ struct Content {
     of_points: BTreeSet<String>,
     of_cells: BTreeSet<String>,
 }
-
-/// Dimension of quadrilaterals and triangles.
-const FACE: u32 = 2;
 
 impl Content {
     fn add(&mut self, piece: VtkPiece) -> Result<(), String> {

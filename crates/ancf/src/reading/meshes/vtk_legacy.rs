@@ -3,7 +3,7 @@
 use vtkio::model::{Attribute, DataSet, IOBuffer, Piece, ScalarType, VertexNumbers};
 use vtkio::parser::parse_be;
 
-use super::vtk_piece::{Labels, VtkPiece, kinds, lists};
+use super::vtk_piece::{Labels, VtkPiece, grid_cells, lists, polygon_cells};
 
 /// Start of a legacy file.
 const LEGACY: &[u8] = b"# vtk";
@@ -31,14 +31,10 @@ pub(super) fn read(bytes: &[u8]) -> Result<Vec<VtkPiece>, String> {
         DataSet::UnstructuredGrid { pieces, .. } => {
             for piece in pieces {
                 let Piece::Inline(piece) = piece else { continue };
-                let lists = cells(&piece.cells.cell_verts)?;
-                if lists.len() != piece.cells.types.len() {
-                    return Err(format!("{} cells with {} types", lists.len(), piece.cells.types.len()));
-                }
                 let types = piece.cells.types.iter().map(|kind| *kind as u8);
                 all.push(VtkPiece {
                     points: numbers(&piece.points)?,
-                    cells: types.zip(lists).collect(),
+                    cells: grid_cells(types, cells(&piece.cells.cell_verts)?)?,
                     of_points: labels(&piece.data.point),
                     of_cells: labels(&piece.data.cell),
                 });
@@ -47,20 +43,12 @@ pub(super) fn read(bytes: &[u8]) -> Result<Vec<VtkPiece>, String> {
         DataSet::PolyData { pieces, .. } => {
             for piece in pieces {
                 let Piece::Inline(piece) = piece else { continue };
-                let mut of_kinds = Vec::new();
-                // Data of the cells have this order.
-                for (own, kind) in [
-                    (&piece.verts, kinds::VERTICES),
-                    (&piece.lines, kinds::LINES),
-                    (&piece.polys, kinds::POLYGON),
-                    (&piece.strips, kinds::STRIP),
-                ] {
-                    let own = own.as_ref().map_or_else(|| Ok(Vec::new()), cells)?;
-                    of_kinds.extend(own.into_iter().map(|list| (kind, list)));
-                }
+                let of = |own: &Option<VertexNumbers>| own.as_ref().map_or_else(|| Ok(Vec::new()), cells);
+                let [verts, lines, polys, strips] =
+                    [&piece.verts, &piece.lines, &piece.polys, &piece.strips].map(of);
                 all.push(VtkPiece {
                     points: numbers(&piece.points)?,
-                    cells: of_kinds,
+                    cells: polygon_cells([verts?, lines?, polys?, strips?]),
                     of_points: labels(&piece.data.point),
                     of_cells: labels(&piece.data.cell),
                 });
@@ -112,7 +100,7 @@ fn decoded(name: &str) -> String {
 }
 
 fn numbers(points: &IOBuffer) -> Result<Vec<f64>, String> {
-    points.cast_into().ok_or_else(|| "points that are no numbers".to_owned())
+    points.cast_into().ok_or_else(|| "points whose coordinates are not numbers".to_owned())
 }
 
 /// Returns the lists of points of cells.

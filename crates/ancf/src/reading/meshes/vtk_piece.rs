@@ -10,6 +10,27 @@ pub(super) struct VtkPiece {
     pub(super) of_cells: Vec<Labels>,
 }
 
+/// Returns the cells of polygons in the order of their data: points, lines, polygons, strips.
+pub(super) fn polygon_cells([verts, lines, polys, strips]: [Vec<Vec<u64>>; 4]) -> Vec<(u8, Vec<u64>)> {
+    let of = |(kind, lists): (u8, Vec<Vec<u64>>)| lists.into_iter().map(move |list| (kind, list));
+    [(kinds::VERTICES, verts), (kinds::LINES, lines), (kinds::POLYGON, polys), (kinds::STRIP, strips)]
+        .into_iter()
+        .flat_map(of)
+        .collect()
+}
+
+/// Returns the cells of a grid from their types and their points.
+pub(super) fn grid_cells(
+    types: impl ExactSizeIterator<Item = u8>,
+    lists: Vec<Vec<u64>>,
+) -> Result<Vec<(u8, Vec<u64>)>, String> {
+    if lists.len() == types.len() {
+        Ok(types.zip(lists).collect())
+    } else {
+        Err(format!("{} cells with {} types", lists.len(), types.len()))
+    }
+}
+
 impl VtkPiece {
     /// Checks that the numbers of points, cells and labels fit together.
     pub(super) fn check(&self) -> Result<(), String> {

@@ -13,7 +13,7 @@ use base64::engine::general_purpose::STANDARD;
 use flate2::bufread::ZlibDecoder;
 use roxmltree::{Document, Node};
 
-use super::vtk_piece::{Labels, VtkPiece, kinds, lists};
+use super::vtk_piece::{Labels, VtkPiece, grid_cells, lists, polygon_cells};
 
 /// Name of the root element.
 const ROOT: &str = "<VTKFile";
@@ -94,27 +94,14 @@ impl File<'_> {
         if let Some(expected) = expected.filter(|count| points.len() != 3 * count) {
             return Err(format!("{} points instead of {expected}", points.len() / 3));
         }
-        let mut cells = Vec::new();
-        if is_polygons {
-            // Data of the cells have this order.
-            for (name, kind) in [
-                ("Verts", kinds::VERTICES),
-                ("Lines", kinds::LINES),
-                ("Polys", kinds::POLYGON),
-                ("Strips", kinds::STRIP),
-            ] {
-                let own = child(piece, name).map_or_else(|| Ok(Vec::new()), |own| self.cells(own))?;
-                cells.extend(own.into_iter().map(|list| (kind, list)));
-            }
+        let cells = if is_polygons {
+            let of = |name| child(piece, name).map_or_else(|| Ok(Vec::new()), |own| self.cells(own));
+            polygon_cells([of("Verts")?, of("Lines")?, of("Polys")?, of("Strips")?])
         } else {
             let own = child(piece, "Cells").ok_or("no Cells")?;
-            let (lists, types) = (self.cells(own)?, self.indices(own, "types")?);
-            if lists.len() != types.len() {
-                return Err(format!("{} cells with {} types", lists.len(), types.len()));
-            }
-            let kinds = types.into_iter().map(|kind| u8::try_from(kind).unwrap_or(u8::MAX));
-            cells.extend(kinds.zip(lists));
-        }
+            let types = self.indices(own, "types")?.into_iter();
+            grid_cells(types.map(|kind| u8::try_from(kind).unwrap_or(u8::MAX)), self.cells(own)?)?
+        };
         Ok(VtkPiece {
             points,
             cells,

@@ -11,7 +11,7 @@ pub fn pile_of_ten() -> Result<MeasuredValue> {
     let mut steps = ContactSteps::new(&pile(10, 10), 100, 40)?;
     let value = 1e3 * median(samples(&mut steps, SampleSize::LARGE)?);
     let note = format!("steps 101 to 140, {:.2} iterations per step", steps.iterations());
-    Ok(MeasuredValue { value, note, bound: None })
+    Ok(MeasuredValue::new(value, note))
 }
 
 /// Steps of crossing cables relative to those without contact.
@@ -31,5 +31,5 @@ fn ratio(model: impl Fn(bool) -> String, count: u32) -> Result<MeasuredValue> {
     };
     let (with, without) = (cost(true)?, cost(false)?);
     let note = format!("{count} steps, {with:.3} ms each, without contact {without:.3} ms");
-    Ok(MeasuredValue { value: with / without, note, bound: None })
+    Ok(MeasuredValue::new(with / without, note))
 }

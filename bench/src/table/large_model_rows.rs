@@ -7,13 +7,9 @@ use crate::models::{chain, frames, modes, probes};
 
 type Measure = fn() -> Result<MeasuredValue>;
 
-const fn row(name: &'static str, unit: RowUnit, goal: f64) -> RowSpec {
-    RowSpec { name, unit, goal, peer: None, large: true }
-}
-
 /// Row of modes, with the time of SciPy 1.17 (`eigsh`, shift and invert at zero) for the same matrices without reading and writing.
 const fn scipy(name: &'static str, goal: f64, theirs: f64) -> RowSpec {
-    RowSpec { peer: Some(("SciPy", theirs)), ..row(name, RowUnit::Seconds, goal) }
+    RowSpec::new(name, RowUnit::Seconds, goal).large().against("SciPy", theirs)
 }
 
 /// Number of rigid bodies of the chain.
@@ -29,24 +25,20 @@ const FRAMES: (u32, u32) = (10_000, 6);
 
 /// All rows.
 pub(super) const ROWS: [(RowSpec, Measure); 10] = [
-    (row("step of a chain, per rigid body", RowUnit::Microseconds, 2.2), chain_step),
-    (row("run of one step, per rigid body", RowUnit::Microseconds, 250.0), chain_run),
-    (row("check, per rigid body", RowUnit::Microseconds, 250.0), chain_check),
-    (row("1000 probes against 1, 1000 steps", RowUnit::Factor, 5.0), probe_factor),
-    (row("memory, 1000 probes", RowUnit::Megabytes, 100.0), probe_memory),
-    (row("ParaView, a frame of 1e4 elements", RowUnit::Seconds, 0.2), paraview_frame),
-    (row("memory, ParaView, 1e4 elements", RowUnit::Megabytes, 100.0), paraview_memory),
+    (RowSpec::new("step of a chain, per rigid body", RowUnit::Microseconds, 2.2).large(), chain_step),
+    (RowSpec::new("run of one step, per rigid body", RowUnit::Microseconds, 250.0).large(), chain_run),
+    (RowSpec::new("check, per rigid body", RowUnit::Microseconds, 250.0).large(), chain_check),
+    (RowSpec::new("1000 probes against 1, 1000 steps", RowUnit::Factor, 5.0).large(), probe_factor),
+    (RowSpec::new("memory, 1000 probes", RowUnit::Megabytes, 100.0).large(), probe_memory),
+    (RowSpec::new("ParaView, a frame of 1e4 elements", RowUnit::Seconds, 0.2).large(), paraview_frame),
+    (RowSpec::new("memory, ParaView, 1e4 elements", RowUnit::Megabytes, 100.0).large(), paraview_memory),
     (scipy("10 modes, 1000 cable elements", 0.0375, 0.025), || lowest_modes(1000)),
     (scipy("10 modes, 5000 cable elements", 0.165, 0.11), || lowest_modes(5000)),
     (scipy("10 modes, 20 000 cable elements", 0.93, 0.62), || lowest_modes(20_000)),
 ];
 
-fn measured(value: f64, note: impl Into<String>) -> Result<MeasuredValue> {
-    Ok(MeasuredValue { value, note: note.into(), bound: None })
-}
-
 fn per_body(cost: ProgramCost) -> Result<MeasuredValue> {
-    measured(1e6 * cost.processor / f64::from(BODIES), format!("{BODIES} bodies"))
+    Ok(MeasuredValue::new(1e6 * cost.processor / f64::from(BODIES), format!("{BODIES} bodies")))
 }
 
 /// Difference of the costs of many steps and of one step, with a row of results per step.
@@ -54,7 +46,10 @@ fn chain_step() -> Result<MeasuredValue> {
     let (bodies, steps) = MOVING;
     let (many, one) = (with_model(&chain(bodies, steps), run)?, with_model(&chain(bodies, 1), run)?);
     let per_step = (many.processor - one.processor) / f64::from(steps - 1);
-    measured(1e6 * per_step / f64::from(bodies), format!("{bodies} bodies, {} steps", steps - 1))
+    Ok(MeasuredValue::new(
+        1e6 * per_step / f64::from(bodies),
+        format!("{bodies} bodies, {} steps", steps - 1),
+    ))
 }
 
 fn chain_run() -> Result<MeasuredValue> {
@@ -68,11 +63,14 @@ fn chain_check() -> Result<MeasuredValue> {
 fn probe_factor() -> Result<MeasuredValue> {
     let (many, one) = (with_model(&probes(PROBES, STEPS), run)?, with_model(&probes(1, STEPS), run)?);
     let per_number = 1e9 * (many.processor - one.processor) / (9.0 * f64::from(PROBES) * f64::from(STEPS));
-    measured(many.processor / one.processor, format!("with text and table; {per_number:.0} ns per number"))
+    Ok(MeasuredValue::new(
+        many.processor / one.processor,
+        format!("with text and table; {per_number:.0} ns per number"),
+    ))
 }
 
 fn probe_memory() -> Result<MeasuredValue> {
-    measured(1e-6 * with_model(&probes(PROBES, STEPS), run)?.memory, "maximum resident memory")
+    Ok(MeasuredValue::new(1e-6 * with_model(&probes(PROBES, STEPS), run)?.memory, "maximum resident memory"))
 }
 
 /// Writes a number of the stored states for ParaView.
@@ -86,13 +84,16 @@ fn paraview(count: u32) -> Result<ProgramCost> {
 
 fn paraview_frame() -> Result<MeasuredValue> {
     let (all, one) = (paraview(FRAMES.1)?, paraview(1)?);
-    measured((all.processor - one.processor) / f64::from(FRAMES.1 - 1), "one thread")
+    Ok(MeasuredValue::new((all.processor - one.processor) / f64::from(FRAMES.1 - 1), "one thread"))
 }
 
 fn paraview_memory() -> Result<MeasuredValue> {
-    measured(1e-6 * paraview(FRAMES.1)?.memory, "maximum resident memory")
+    Ok(MeasuredValue::new(1e-6 * paraview(FRAMES.1)?.memory, "maximum resident memory"))
 }
 
 fn lowest_modes(elements: u32) -> Result<MeasuredValue> {
-    measured(with_model(&modes(elements), run)?.processor, "with error estimates and output files")
+    Ok(MeasuredValue::new(
+        with_model(&modes(elements), run)?.processor,
+        "with error estimates and output files",
+    ))
 }

@@ -17,6 +17,23 @@ pub struct RowSpec {
     pub large: bool,
 }
 
+impl RowSpec {
+    /// Row of work with few elements.
+    pub(super) const fn new(name: &'static str, unit: RowUnit, goal: f64) -> Self {
+        Self { name, unit, goal, peer: None, large: false }
+    }
+
+    /// States that the work has many elements.
+    pub(super) const fn large(self) -> Self {
+        Self { large: true, ..self }
+    }
+
+    /// Adds another program with its value.
+    pub(super) const fn against(self, peer: &'static str, theirs: f64) -> Self {
+        Self { peer: Some((peer, theirs)), ..self }
+    }
+}
+
 /// Unit of a row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub enum RowUnit {
@@ -66,6 +83,13 @@ pub struct MeasuredValue {
     pub note: String,
     /// Lower bound at the peak performance of the machine.
     pub bound: Option<LowerBound>,
+}
+
+impl MeasuredValue {
+    /// Value with its conditions, without a lower bound.
+    pub(super) fn new(value: f64, note: impl Into<String>) -> Self {
+        Self { value, note: note.into(), bound: None }
+    }
 }
 
 /// Lower bound of a row at the peak performance of the machine.

@@ -23,73 +23,73 @@ pub const STEPS: u32 = 100;
 
 type Measure = fn(&mut RowMeasurements) -> Result<MeasuredValue>;
 
-const fn row(name: &'static str, unit: RowUnit, goal: f64) -> RowSpec {
-    RowSpec { name, unit, goal, peer: None, large: false }
-}
-
-impl RowSpec {
-    const fn against(self, peer: &'static str, theirs: f64) -> Self {
-        Self { peer: Some((peer, theirs)), ..self }
-    }
-
-    const fn large(self) -> Self {
-        Self { large: true, ..self }
-    }
-}
-
 /// All rows.
 const ROWS: [(RowSpec, Measure); 21] = [
-    (row("elastic force", Microseconds, 0.30).against("Chrono", 1.02), RowMeasurements::force),
-    (row("force and tangent", Microseconds, 1.2).against("Chrono", 8.8), RowMeasurements::force_and_tangent),
-    (row("scatter", Microseconds, 0.25).against("Chrono", 4.8), RowMeasurements::scatter),
+    (RowSpec::new("elastic force", Microseconds, 0.30).against("Chrono", 1.02), RowMeasurements::force),
     (
-        row("factorise and solve, n = 1e3", Microseconds, 0.8).against("Chrono, n = 100", 9.8),
+        RowSpec::new("force and tangent", Microseconds, 1.2).against("Chrono", 8.8),
+        RowMeasurements::force_and_tangent,
+    ),
+    (RowSpec::new("scatter", Microseconds, 0.25).against("Chrono", 4.8), RowMeasurements::scatter),
+    (
+        RowSpec::new("factorise and solve, n = 1e3", Microseconds, 0.8).against("Chrono, n = 100", 9.8),
         RowMeasurements::equations,
     ),
-    (row("factorise and solve, n = 1e5", Microseconds, 1.2).large(), RowMeasurements::many_equations),
-    (row("step, n = 100", Microseconds, 3.0).against("Chrono", 36.0), RowMeasurements::step),
     (
-        row("step, n = 1e5", Microseconds, 4.0).against("Chrono, n = 1e4", 51.0).large(),
+        RowSpec::new("factorise and solve, n = 1e5", Microseconds, 1.2).large(),
+        RowMeasurements::many_equations,
+    ),
+    (RowSpec::new("step, n = 100", Microseconds, 3.0).against("Chrono", 36.0), RowMeasurements::step),
+    (
+        RowSpec::new("step, n = 1e5", Microseconds, 4.0).against("Chrono, n = 1e4", 51.0).large(),
         RowMeasurements::many_steps,
     ),
     (
-        row("process, beam of 20, 2000 steps", Seconds, 0.12).against("Chrono", 1.35),
+        RowSpec::new("process, beam of 20, 2000 steps", Seconds, 0.12).against("Chrono", 1.35),
         RowMeasurements::whole_beam,
     ),
     (
-        row("process, cable of 20, 2000 steps", Seconds, 0.04).against("EXUDYN", 0.106),
+        RowSpec::new("process, cable of 20, 2000 steps", Seconds, 0.04).against("EXUDYN", 0.106),
         RowMeasurements::whole_cable,
     ),
     (
-        row("memory per element, n = 1e5", Kilobytes, 4.0).against("Chrono", 40.0).large(),
+        RowSpec::new("memory per element, n = 1e5", Kilobytes, 4.0).against("Chrono", 40.0).large(),
         RowMeasurements::memory,
     ),
-    (row("2 threads, n = 1e5", Gain, 1.7).large(), RowMeasurements::threads),
-    (row("step, n = 1e6", Microseconds, 5.2).large(), RowMeasurements::most_steps),
-    (row("step, n = 1e6 against n = 1e4", Factor, 1.3).large(), RowMeasurements::growth),
-    (row("step, platform on 1000 cables", Seconds, 0.005).large(), |_| {
+    (RowSpec::new("2 threads, n = 1e5", Gain, 1.7).large(), RowMeasurements::threads),
+    (RowSpec::new("step, n = 1e6", Microseconds, 5.2).large(), RowMeasurements::most_steps),
+    (RowSpec::new("step, n = 1e6 against n = 1e4", Factor, 1.3).large(), RowMeasurements::growth),
+    (RowSpec::new("step, platform on 1000 cables", Seconds, 0.005).large(), |_| {
         structure_step(|n| platform(1000, n), 50)
     }),
-    (row("first step, platform on 1000 cables", Seconds, 0.3).large(), |_| first_step(&platform(1000, 1))),
-    (row("step, lattice of 480 beams", Seconds, 0.06).large(), |_| structure_step(|n| lattice(5, n), 20)),
-    (row("first step, lattice of 1800 beams", Seconds, 2.0).large(), |_| first_step(&lattice(8, 1))),
-    (row("step, net of 40 x 40 knots", Seconds, 0.06).large(), |_| structure_step(|n| net(40, n), 50)),
-    (row("contact, step of 10 cables in a pile", Milliseconds, 1.5), |_| contact_rows::pile_of_ten()),
-    (row("contact, crossing cables", Factor, 7.0), |_| contact_rows::crossing_cables()),
-    (row("contact, cable on a plane", Factor, 2.0), |_| contact_rows::cable_on_plane()),
+    (RowSpec::new("first step, platform on 1000 cables", Seconds, 0.3).large(), |_| {
+        first_step(&platform(1000, 1))
+    }),
+    (RowSpec::new("step, lattice of 480 beams", Seconds, 0.06).large(), |_| {
+        structure_step(|n| lattice(5, n), 20)
+    }),
+    (RowSpec::new("first step, lattice of 1800 beams", Seconds, 2.0).large(), |_| first_step(&lattice(8, 1))),
+    (RowSpec::new("step, net of 40 x 40 knots", Seconds, 0.06).large(), |_| {
+        structure_step(|n| net(40, n), 50)
+    }),
+    (RowSpec::new("contact, step of 10 cables in a pile", Milliseconds, 1.5), |_| {
+        contact_rows::pile_of_ten()
+    }),
+    (RowSpec::new("contact, crossing cables", Factor, 7.0), |_| contact_rows::crossing_cables()),
+    (RowSpec::new("contact, cable on a plane", Factor, 2.0), |_| contact_rows::cable_on_plane()),
 ];
 
 /// Cost of a step: difference of a long run and of one of a single step, in seconds.
 fn structure_step(text: impl Fn(u32) -> String, steps: u32) -> Result<MeasuredValue> {
     let (long, short) = (process::program_cost(&text(steps), 1)?, process::program_cost(&text(1), 1)?);
     let value = (long - short) / f64::from(steps - 1);
-    Ok(MeasuredValue { value, note: format!("mean of {steps} steps"), bound: None })
+    Ok(MeasuredValue::new(value, format!("mean of {steps} steps")))
 }
 
 /// Cost of a run of one step, with reading, checks and the consistent start, in seconds.
 fn first_step(text: &str) -> Result<MeasuredValue> {
     let value = process::program_cost(text, 1)?;
-    Ok(MeasuredValue { value, note: "from reading to results".to_owned(), bound: None })
+    Ok(MeasuredValue::new(value, "from reading to results"))
 }
 
 /// Measurements of the rows of a table.
@@ -207,12 +207,12 @@ impl RowMeasurements {
 
     fn whole_beam(&mut self) -> Result<MeasuredValue> {
         let value = process::program_cost(&cantilever(CantileverKind::Beam, 20, 2000), 5)?;
-        Ok(MeasuredValue { value, note: "with output files; Chrono without".to_owned(), bound: None })
+        Ok(MeasuredValue::new(value, "with output files; Chrono without"))
     }
 
     fn whole_cable(&mut self) -> Result<MeasuredValue> {
         let value = process::program_cost(&cantilever(CantileverKind::Cable, 20, 2000), 5)?;
-        Ok(MeasuredValue { value, note: "with output files; EXUDYN without".to_owned(), bound: None })
+        Ok(MeasuredValue::new(value, "with output files; EXUDYN without"))
     }
 
     fn bytes_per_element(&mut self) -> Result<f64> {
@@ -222,13 +222,13 @@ impl RowMeasurements {
 
     fn memory(&mut self) -> Result<MeasuredValue> {
         let value = 1e-3 * self.bytes_per_element()?;
-        Ok(MeasuredValue { value, note: "maximum resident memory of the process".to_owned(), bound: None })
+        Ok(MeasuredValue::new(value, "maximum resident memory of the process"))
     }
 
     fn threads(&mut self) -> Result<MeasuredValue> {
         let (one, two) = (self.step_cost(LARGE, 1)?, self.step_cost(LARGE, 2)?);
         let note = "wall-clock time: valid on an idle machine only".to_owned();
-        Ok(MeasuredValue { value: one.wall / two.wall, note, bound: None })
+        Ok(MeasuredValue::new(one.wall / two.wall, note))
     }
 
     /// Cost of steps of the largest beam, if memory suffices.
@@ -255,6 +255,6 @@ impl RowMeasurements {
         let (most, some) = (self.largest()?, self.step_cost(10_000, 1)?);
         let per = 1e6 * some.processor;
         let note = format!("20 steps; {per:.2} us at 1e4, {:.2} iterations per step", some.iterations);
-        Ok(MeasuredValue { value: most.processor / some.processor, note, bound: None })
+        Ok(MeasuredValue::new(most.processor / some.processor, note))
     }
 }

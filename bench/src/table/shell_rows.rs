@@ -7,19 +7,18 @@ use crate::models::plate;
 
 type Measure = fn() -> Result<MeasuredValue>;
 
-const fn row(name: &'static str, unit: RowUnit, goal: f64, large: bool) -> RowSpec {
-    RowSpec { name, unit, goal, peer: None, large }
-}
-
 /// Number of elements along an edge and of time steps.
 const MEDIUM: (u32, u32) = (32, 51);
 const LARGE: (u32, u32) = (100, 9);
 
 /// All rows.
 pub(super) const ROWS: [(RowSpec, Measure); 3] = [
-    (row("step of a plate of 32 × 32 thin elements", RowUnit::Microseconds, 8.0, false), || step(MEDIUM)),
-    (row("step of a plate of 100 × 100 thin elements", RowUnit::Microseconds, 12.0, true), || step(LARGE)),
-    (row("memory per thin element", RowUnit::Kilobytes, 20.0, true), memory),
+    (RowSpec::new("step of a plate of 32 × 32 thin elements", RowUnit::Microseconds, 8.0), || step(MEDIUM)),
+    (
+        RowSpec::new("step of a plate of 100 × 100 thin elements", RowUnit::Microseconds, 12.0).large(),
+        || step(LARGE),
+    ),
+    (RowSpec::new("memory per thin element", RowUnit::Kilobytes, 20.0).large(), memory),
 ];
 
 fn cost(elements: u32, steps: u32) -> Result<ProgramCost> {
@@ -30,12 +29,12 @@ fn cost(elements: u32, steps: u32) -> Result<ProgramCost> {
 fn step((elements, steps): (u32, u32)) -> Result<MeasuredValue> {
     let difference = cost(elements, steps)?.processor - cost(elements, 1)?.processor;
     let value = 1e6 * difference / f64::from((steps - 1) * elements * elements);
-    Ok(MeasuredValue { value, note: format!("{} steps, one thread", steps - 1), bound: None })
+    Ok(MeasuredValue::new(value, format!("{} steps, one thread", steps - 1)))
 }
 
 /// Difference of the memory of a large and a medium plate, per element.
 fn memory() -> Result<MeasuredValue> {
     let [large, medium] = [LARGE.0, MEDIUM.0].map(|elements| (elements, cost(elements, 1)));
     let value = 1e-3 * (large.1?.memory - medium.1?.memory) / f64::from(large.0.pow(2) - medium.0.pow(2));
-    Ok(MeasuredValue { value, note: "maximum resident memory".into(), bound: None })
+    Ok(MeasuredValue::new(value, "maximum resident memory"))
 }

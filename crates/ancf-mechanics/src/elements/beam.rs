@@ -44,7 +44,8 @@ impl<const N: usize> Profile<N> {
 /// stations. The [`Profile`] defines the elastic law of each station.
 #[derive(Clone, Debug)]
 pub struct BeamElement<const N: usize, S> {
-    coordinates: Vec<usize>,
+    /// Copies of the element share them.
+    coordinates: Arc<[usize]>,
     pub(crate) frame: Matrix3<f64>,
     pub(crate) profile: Arc<Profile<N>>,
     interpolation: PhantomData<S>,
@@ -67,7 +68,7 @@ impl<const N: usize, S: Interpolation<N>> BeamElement<N, S> {
         frame: [Vector3<f64>; 3],
         profile: Arc<Profile<N>>,
     ) -> Self {
-        let coordinates: Vec<usize> = coordinates.into_iter().collect();
+        let coordinates: Arc<[usize]> = coordinates.into_iter().collect();
         debug_assert_eq!(coordinates.len(), 3 * N, "three coordinates for each vector");
         Self { coordinates, frame: Matrix3::from_columns(&frame), profile, interpolation: PhantomData }
     }

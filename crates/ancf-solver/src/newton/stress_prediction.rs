@@ -31,8 +31,8 @@ pub(crate) struct StressPrediction {
     /// Least axial strain ε₀ of cables in the first tangents, and the number of its trials.
     least: Option<f64>,
     trials: u32,
-    /// State after the first increment.
-    trial: State,
+    /// State after the first increment of a model with cables.
+    trial: Option<State>,
 }
 
 /// Rotation of the first increment above which cables get a tension. A slope of 16, relative to the largest rotation of 120°.
@@ -57,7 +57,7 @@ impl StressPrediction {
             starts_there: false,
             least: None,
             trials: 0,
-            trial: s.clone(),
+            trial: None,
         }
     }
 
@@ -102,9 +102,10 @@ impl StressPrediction {
         if !self.is_active || !self.starts_there || self.trials > TRIALS || !eom.has_cables() {
             return false;
         }
-        self.trial.copy_from(s);
-        self.trial.add(z, Weights::STIFFNESS);
-        let size = eom.rotation(s, &self.trial).size;
+        let trial = self.trial.get_or_insert_with(|| s.clone());
+        trial.copy_from(s);
+        trial.add(z, Weights::STIFFNESS);
+        let size = eom.rotation(s, trial).size;
         self.least = match self.least {
             None if size > TOO_FAR => Some(FIRST_STRAIN),
             None => return false,

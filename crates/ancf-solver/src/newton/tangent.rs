@@ -141,6 +141,11 @@ impl NewtonTangent {
         self.prediction.iter_mut().for_each(StressPrediction::end);
     }
 
+    /// Frees the memory of the prediction.
+    pub(crate) fn discard_prediction(&mut self) {
+        self.prediction = None;
+    }
+
     /// Returns true if the reuse of tangents is permitted.
     pub(crate) fn is_reusable(&self) -> bool {
         self.usage.policy != TangentPolicy::Always

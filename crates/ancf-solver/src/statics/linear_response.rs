@@ -1,11 +1,35 @@
 use super::arc_metric::solve_force;
 use crate::equations::{EquationsOfMotion, State};
-use crate::newton::{Newton, norm};
+use crate::newton::{ActiveSet, Newton, norm};
 
 /// Maximum number of iterations for the unsymmetric part of the stiffness.
 const ITERATIONS: u32 = 30;
 /// Relative change at which they end.
 const TOLERANCE: f64 = 1e-6;
+
+/// Equilibrium with the factors of its last increment.
+#[derive(Debug)]
+pub struct EquilibriumResponse<'a, E: EquationsOfMotion + ?Sized> {
+    eom: ActiveSet<'a, E>,
+    newton: Newton,
+    state: State,
+}
+
+impl<'a, E: EquationsOfMotion> EquilibriumResponse<'a, E> {
+    pub(super) fn new(eom: ActiveSet<'a, E>, newton: Newton, state: State) -> Self {
+        Self { eom, newton, state }
+    }
+
+    /// Returns the equilibrium and its linear response z = K⁻¹ f of the coordinates and multipliers to small additional forces f, with
+    /// the factors of its last increment; `None` if they are not accurate.
+    ///
+    /// The unsymmetric part of the stiffness, of loads without a potential, is included by iteration.
+    pub fn parts(&mut self) -> (&State, impl FnMut(&[f64]) -> Option<Vec<f64>>) {
+        let Self { newton, eom, state } = self;
+        let state = &*state;
+        (state, move |force: &[f64]| linear_response(newton, &**eom, state, force))
+    }
+}
 
 /// Solves K z = f with the last factors of `newton`; `None` if the solution is not accurate.
 ///

@@ -2,7 +2,7 @@ use std::ops::ControlFlow;
 
 use super::equilibrium::{Equilibrium, check_change};
 use super::leave::leave;
-use super::linear_response::linear_response;
+use super::linear_response::{EquilibriumResponse, linear_response};
 use crate::equations::{Energy, EquationsOfMotion, State};
 use crate::newton::{ActiveSet, EquilibriumError, LineSearch, Newton, SolveError, SolveFailure};
 use crate::sparse::SparseMatrix;
@@ -88,8 +88,7 @@ impl<'a, E: EquationsOfMotion> LoadStepper<'a, E> {
     ///
     /// Velocities and accelerations are set to zero. The start is assumed to be stable.
     pub fn new(eom: &'a E, mut newton: Newton, increments: LoadIncrements, mut start: State) -> Self {
-        start.v.fill(0.0);
-        start.a.fill(0.0);
+        start.stop();
         newton.set_stagnation_limit(STAGNATION_LIMIT);
         let search = LineSearch::new(&start);
         let (unstable, before, trial) = (Some(0), None, start.clone());
@@ -116,7 +115,7 @@ impl<'a, E: EquationsOfMotion> LoadStepper<'a, E> {
     }
 
     /// Advances as [`advance`](Self::advance). `each` also receives the linear response of the equilibrium to small additional forces
-    /// ([`response`](Self::response)).
+    /// ([`into_response`](Self::into_response)).
     ///
     /// # Errors
     /// As [`advance`](Self::advance).
@@ -196,13 +195,11 @@ impl<'a, E: EquationsOfMotion> LoadStepper<'a, E> {
         Ok((found, rotation))
     }
 
-    /// Returns the linear response z = K⁻¹ f of the coordinates and multipliers to small additional forces f at the current
-    /// equilibrium, with the factors of its last increment; `None` if they are not accurate.
-    ///
-    /// The unsymmetric part of the stiffness, of loads without a potential, is included by iteration.
-    pub fn response(&mut self, force: &[f64]) -> Option<Vec<f64>> {
-        let Self { newton, eom, state, .. } = self;
-        linear_response(newton, &**eom, state, force)
+    /// Ends the analysis and returns the current equilibrium, whose linear response can still be computed.
+    pub fn into_response(self) -> EquilibriumResponse<'a, E> {
+        let Self { eom, mut newton, state, .. } = self;
+        newton.tangent.discard_prediction();
+        EquilibriumResponse::new(eom, newton, state)
     }
 
     /// Returns the energies of the current state.

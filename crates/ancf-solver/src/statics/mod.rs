@@ -12,6 +12,7 @@ mod regularised;
 
 pub use arc_length::ArcLength;
 pub use equilibrium::Equilibrium;
+pub use linear_response::EquilibriumResponse;
 pub use load_rates::LoadRates;
 pub use load_stepper::{LoadIncrements, LoadStepper, Response, UnstablePolicy};
 pub use path_point::{ArcLengthSteps, EndConditions, EndReason, LimitPoint, PathPoint};

@@ -110,13 +110,17 @@ impl AnalysisRun<'_> {
             flow(&written)
         });
         self.warn_of_instability(statics.state(), false);
-        if ended.is_ok() {
-            let (state, mut response) = (statics.state().clone(), |force: &[f64]| statics.response(force));
-            self.summary.errors = estimate((model, assembly), &state, scales, &mut finer, &mut response);
-            let errors = self.summary.errors.iter();
-            self.summary.warnings.extend(errors.filter_map(DiscretisationErrors::warning));
-        }
-        let ended = ended.map_err(|error| equilibrium_failure(assembly, statics.state(), error));
+        let ended = match ended {
+            Ok(_) => {
+                let mut found = statics.into_response();
+                let (state, mut response) = found.parts();
+                let errors = estimate((model, assembly), state, scales, &mut finer, &mut response);
+                self.summary.warnings.extend(errors.iter().filter_map(DiscretisationErrors::warning));
+                self.summary.errors = errors;
+                Ok(())
+            }
+            Err(error) => Err(equilibrium_failure(assembly, statics.state(), error)),
+        };
         self.summary.warnings.extend(turn_warning(&rows, "load factor", 1.0));
         conclude(written?, settings.load == self.summary.time, ended)
     }

@@ -5,7 +5,9 @@ use thiserror::Error;
 ///
 /// The coordinates q are *measured from the reference configuration*, e = e₀ + q. Strains are computed from
 /// displacement gradients, so their accuracy does not depend on the distance of the model from the origin.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+///
+/// Velocities and accelerations of a state at rest occupy no memory before they are written.
+#[derive(Debug, PartialEq, Serialize, Deserialize)]
 pub struct State {
     /// Time t.
     pub t: f64,
@@ -24,24 +26,28 @@ pub struct State {
 impl State {
     /// Creates the reference configuration at rest.
     pub fn rest(coordinates: usize, multipliers: usize) -> Self {
-        let zeros = vec![0.0; coordinates];
-        Self {
-            t: 0.0,
-            q: zeros.clone(),
-            v: zeros.clone(),
-            a: zeros,
-            lambda: vec![0.0; multipliers],
-            load: 1.0,
+        let zeros = || vec![0.0; coordinates];
+        Self { t: 0.0, q: zeros(), v: zeros(), a: zeros(), lambda: vec![0.0; multipliers], load: 1.0 }
+    }
+
+    /// Sets velocities and accelerations to zero.
+    pub fn stop(&mut self) {
+        for x in [&mut self.v, &mut self.a].into_iter().filter(|x| !is_zero(x)) {
+            *x = vec![0.0; x.len()];
         }
     }
 
     /// Adds an increment z = (dz, dλ): q += w_q dz, v += w_v dz, a += w_a dz, λ += dλ.
     pub fn add(&mut self, z: &[f64], w: Weights) {
         let (dz, dlambda) = z.split_at(self.q.len());
-        for (i, dz) in dz.iter().enumerate() {
-            self.q[i] += w.q * dz;
-            self.v[i] += w.v * dz;
-            self.a[i] += w.a * dz;
+        if w == Weights::STIFFNESS {
+            self.q.iter_mut().zip(dz).for_each(|(q, dz)| *q += dz);
+        } else {
+            for (i, dz) in dz.iter().enumerate() {
+                self.q[i] += w.q * dz;
+                self.v[i] += w.v * dz;
+                self.a[i] += w.a * dz;
+            }
         }
         for (lambda, d) in self.lambda.iter_mut().zip(dlambda) {
             *lambda += d;
@@ -69,11 +75,33 @@ impl State {
     pub fn copy_from(&mut self, other: &Self) {
         self.t = other.t;
         self.q.copy_from_slice(&other.q);
-        self.v.copy_from_slice(&other.v);
-        self.a.copy_from_slice(&other.a);
         self.lambda.copy_from_slice(&other.lambda);
         self.load = other.load;
+        for (x, other) in [(&mut self.v, &other.v), (&mut self.a, &other.a)] {
+            if !(is_zero(other) && is_zero(x)) {
+                x.copy_from_slice(other);
+            }
+        }
     }
+}
+
+impl Clone for State {
+    fn clone(&self) -> Self {
+        let copy = |x: &Vec<f64>| if is_zero(x) { vec![0.0; x.len()] } else { x.clone() };
+        Self {
+            t: self.t,
+            q: self.q.clone(),
+            v: copy(&self.v),
+            a: copy(&self.a),
+            lambda: self.lambda.clone(),
+            load: self.load,
+        }
+    }
+}
+
+/// Returns true if all numbers are +0, as in a new allocation. In motions the first one ends the comparison.
+fn is_zero(x: &[f64]) -> bool {
+    x.iter().all(|x| x.to_bits() == 0)
 }
 
 /// Step of the energy-momentum scheme: its ends, its middle and its numerical damping

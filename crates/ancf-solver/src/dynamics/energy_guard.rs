@@ -123,6 +123,8 @@ pub(crate) struct EnergyAttempt {
     pub(crate) power: PowerIntegral,
     pub(crate) exchange: Power,
     pub(crate) record: EnergyRecord,
+    /// Number of attempts since the last accepted step that made too much energy.
+    pub(crate) refused: u32,
 }
 
 /// Returns the coordinate with the largest change of velocity, measured as energy.

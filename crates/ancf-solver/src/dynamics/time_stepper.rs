@@ -288,8 +288,10 @@ impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
         self.scheme.predict(&mut self.motion.state, auxiliary, h);
         self.motion.state.t = to;
         let weights = self.scheme.weights(h);
-        if self.newton.tangent.is_reusable() {
-            self.motion.predictor.add_to(&mut self.motion.state, weights, h);
+        if self.newton.has_energy_rule() {
+            let is_extrapolated = self.newton.tangent.is_reusable();
+            let IntegrationState { predictor, state, .. } = &mut self.motion;
+            predictor.add_to(&*self.eom, (&self.before, state), (h, weights), is_extrapolated);
         }
         let done = match self.scheme.averaging {
             None => self.newton.solve(&*self.eom, &mut self.motion.state, weights)?,
@@ -320,11 +322,11 @@ impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
         };
         let energy = eom.energy(&motion.state);
         let record = motion.record.after((motion.energy, energy), exchange);
-        self.energies = EnergyAttempt { energy, power, exchange, record };
+        self.energies = EnergyAttempt { energy, power, exchange, record, ..self.energies };
         if self.guard.permits(&record, || self.newton.rounding_energy()) {
             return Ok(done);
         }
-        motion.record.refused = motion.record.refused.saturating_add(1);
+        self.energies.refused = self.energies.refused.saturating_add(1);
         let worst = fastest_change(&motion.state, before, &self.newton.tangent.factor);
         self.revert();
         Err(SolveError::after(done, to, SolveFailure::EnergyMade, worst))
@@ -337,17 +339,14 @@ impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
 
     /// Accepts the end of the attempt as the current state.
     pub(crate) fn accept(&mut self, done: &NewtonReport, report: &mut StepReport) {
-        let EnergyAttempt { energy, power, exchange, record } = self.energies;
+        let EnergyAttempt { energy, power, exchange, record, refused } = std::mem::take(&mut self.energies);
         self.motion.exchanged += exchange;
         (self.motion.energy, self.motion.power, self.motion.record) = (energy, power, record);
+        self.motion.record.refused = record.refused.saturating_add(refused);
         self.motion.damping.accept(&self.damping);
         self.motion.h = self.motion.state.t - self.before.t;
-        self.motion.predictor.record(
-            &self.before,
-            &self.motion.state,
-            self.motion.h,
-            &self.newton.tangent.factor,
-        );
+        let IntegrationState { predictor, state, h, .. } = &mut self.motion;
+        predictor.record([&self.before, state], (*h, self.scheme.weights(*h)), &mut self.newton);
         self.motion.at_start = false;
         if let Some(errors) = &mut self.motion.errors {
             errors.advance(&*self.eom, &mut self.newton, (&self.before, &self.motion.state));

@@ -200,6 +200,17 @@ impl Factor {
         self.solve_from(k, x, Some(lambda)).map(|_| ())
     }
 
+    /// Returns xᵀ K x.
+    pub(crate) fn energy(&mut self, k: &SparseMatrix, x: &[f64]) -> f64 {
+        let Self { ldlt, pattern, x: sorted, r, .. } = self;
+        for (unknown, &value) in x.iter().enumerate() {
+            sorted[pattern.position(unknown)] = value;
+        }
+        r.fill(0.0);
+        ldlt.subtract_product(pattern.supernodes(), k.values(), sorted, r);
+        -sorted.iter().zip(&*r).map(|(x, r)| x * r).sum::<f64>()
+    }
+
     /// Returns a solution of K x = b after a further step of refinement.
     ///
     /// Parts of x that are zero but for rounding errors change by their own size. The backward error does not show them, since

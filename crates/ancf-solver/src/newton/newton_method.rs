@@ -122,7 +122,7 @@ impl Newton {
 
     /// Permits the reuse of tangents, if the stopping rule estimates the remaining error.
     pub(crate) fn permit_reuse(&mut self, s: &State) {
-        if matches!(self.stop, StopRule::Energy(_)) && !self.new_tangents {
+        if self.has_energy_rule() && !self.new_tangents {
             self.tangent.permit_reuse(s);
         }
     }
@@ -138,6 +138,19 @@ impl Newton {
     /// Before the first call the rule uses the energy of the current iterate.
     pub fn record_energy(&mut self, energy: f64) {
         self.energy = self.energy.max(energy);
+    }
+
+    /// Returns true if the iteration stops by the energies of its increments.
+    pub(crate) fn has_energy_rule(&self) -> bool {
+        matches!(self.stop, StopRule::Energy(_))
+    }
+
+    /// Returns zᵀ K z with the last tangent K, for an increment z of n coordinates.
+    pub(crate) fn energy_of(&mut self, n: usize, z: impl Fn(usize) -> f64) -> f64 {
+        let (of_coordinates, of_multipliers) = self.z.split_at_mut(n);
+        of_coordinates.iter_mut().enumerate().for_each(|(i, own)| *own = z(i));
+        of_multipliers.fill(0.0);
+        self.tangent.factor.energy(&self.tangent.matrix, &self.z)
     }
 
     /// Returns the energy of rounding errors: Σ (Kᵢᵢ/w_q) (8ε)² with the last tangent K and a unit size of the coordinates.

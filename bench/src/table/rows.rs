@@ -2,7 +2,7 @@ use std::collections::BTreeMap;
 
 use super::process::{self, StepCost};
 use super::row::RowUnit::{Factor, Gain, Kilobytes, Microseconds, Milliseconds, Seconds};
-use super::row::{LimitingResource, LowerBound, MeasuredValue, RowSpec, RowUnit, TableRow};
+use super::row::{LimitingResource, LowerBound, MeasuredValue, RowSpec, TableRow};
 use super::{contact_rows, large_model_rows, lower_bounds, shell_rows};
 use crate::Result;
 use crate::measure::{Machine, SampleSize, median, sample, samples};

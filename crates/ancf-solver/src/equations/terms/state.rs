@@ -185,3 +185,28 @@ pub enum Inadmissibility {
     #[error("the volume of a gas vanishes")]
     EmptyVolume,
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Copies of states at rest and in motion are equal to the last bit, over each other.
+    #[test]
+    fn copies_are_equal() {
+        let rest = State::rest(3, 1);
+        let mut moving = State { t: 0.5, lambda: vec![2.0], load: 0.25, ..rest.clone() };
+        moving.v.copy_from_slice(&[0.0, -0.0, 1.0]);
+        moving.a.copy_from_slice(&[-0.0; 3]);
+        let bits = |s: &State| {
+            [&s.q, &s.v, &s.a, &s.lambda].map(|x| x.iter().map(|x| x.to_bits()).collect::<Vec<_>>())
+        };
+        for (from, to) in [(&rest, &moving), (&moving, &rest), (&moving, &moving), (&rest, &rest)] {
+            let mut copy = to.clone();
+            assert_eq!(bits(&copy), bits(to));
+            copy.copy_from(from);
+            assert_eq!((bits(&copy), copy.t, copy.load), (bits(from), from.t, from.load));
+            copy.stop();
+            assert_eq!(bits(&copy)[1..3], bits(&rest)[1..3]);
+        }
+    }
+}

@@ -1,4 +1,4 @@
-//! Starts of stiff bodies with spin and without strain.
+//! Starts of stiff bodies: with spin and without strain, and under sudden loads.
 
 use ancf::Model;
 
@@ -50,5 +50,32 @@ fn the_momentum_converges_with_the_step() {
     for body in BODIES {
         let errors = [0.01, 0.005].map(|step| (kept(&spinning(body, 1e10, "", step))[1] - 1.0).abs());
         assert!(errors[1] < 0.02 && errors[1] < 0.5 * errors[0], "{body}: {errors:?}");
+    }
+}
+
+/// A sudden force at the end of a steel rod excites vibrations that the steps do not resolve. Accelerations extrapolated over a step have
+/// thousands of times the energy of the motion in a fine mesh. The number of iterations is that of a coarse mesh, and no step is divided.
+#[test]
+fn iterations_after_a_sudden_load_do_not_grow_with_the_mesh() {
+    for formulation in ["linked", "continuum"] {
+        let [coarse, fine] = [10, 120].map(|elements| {
+            Run::of(&parse(&format!(
+                r#"
+gravity = [0, 0, -9.81]
+materials.steel = {{ density = 7850, young = 2.1e11, poisson = 0.3 }}
+sections.bar = {{ kind = "circle", diameter = 0.02 }}
+bodies = [{{ kind = "beam", name = "b", from = [0, 0, 0], to = [1, 0, 0], elements = {elements}, formulation = "{formulation}", section = "bar", material = "steel" }}]
+joints = [{{ kind = "clamp", name = "root", a = {{ body = "b", at = "start" }} }}]
+loads = [{{ kind = "force", on = {{ body = "b", at = "end" }}, force = [1000, 500, 0] }}]
+probes = [{{ name = "tip", on = {{ body = "b", at = "end" }} }}]
+analysis = {{ kind = "dynamics", duration = 0.02, step = 1e-3, scheme = {{ spectral_radius = 0.8 }} }}
+"#
+            )))
+        });
+        assert_eq!(fine.summary.divided_steps, 0, "{formulation}");
+        let [of_coarse, of_fine] = [&coarse, &fine].map(|run| run.summary.iterations as f64);
+        assert!(of_fine < 1.15 * of_coarse, "{formulation}: {of_fine} and {of_coarse} iterations");
+        let [coarse, fine] = [&coarse, &fine].map(|run| run.last_vector("tip."));
+        assert!((fine - coarse).norm() < 5e-3 * fine.y, "{formulation}: {fine} and {coarse}");
     }
 }

@@ -1,6 +1,6 @@
 use thiserror::Error;
 
-use super::newton_report::NewtonReport;
+use super::stopping::NewtonReport;
 use crate::equations::Inadmissibility;
 
 /// Cause of failure of a Newton iteration.

@@ -1,4 +1,4 @@
-use super::newton_report::NewtonReport;
+use super::stopping::NewtonReport;
 
 /// Reduction of the energies of the increments beyond which they may be rounding errors.
 const EXHAUSTED: f64 = 1e-24;

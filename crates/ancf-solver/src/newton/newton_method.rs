@@ -6,33 +6,13 @@ use super::error::{SolveError, SolveFailure};
 use super::interrupt::Interrupt;
 use super::iteration_progress::IterationProgress;
 use super::line_search::{FullUpdate, LinearSolution, StateUpdate, dot, norm};
-use super::newton_report::NewtonReport;
 use super::rounding_errors::Iterate;
 use super::rounding_floor::FLOOR;
+use super::stopping::{NewtonReport, StopRule};
 use super::tangent::{NewtonTangent, TangentCheckpoint};
 use crate::equations::{EquationsOfMotion, State, Weights};
 use crate::factor::inertia;
 use crate::sparse::SparseMatrix;
-
-/// Stopping rule of a Newton iteration.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum StopRule {
-    /// Energy of the increment: |Δq·r| + |Δλ·Φ| ≤ tolerance² × the largest energy so far, or residual at its rounding
-    /// error.
-    ///
-    /// The products are independent of units, slope coordinates and frame of reference, and so is the number of
-    /// iterations. Newton's method converges quadratically, so the remaining error is far below the tolerance. The
-    /// tolerance is relative to the size of the motion in the energy norm. With a reused tangent the increments
-    /// decrease by a rate θ. The estimated remainder, θ/(1 − θ) times the last increment, must then be at most 1e-4 of the
-    /// tolerance, and 2e-5 of the first increment. Remainders of successive steps with the same tangent have the same
-    /// sign, so they accumulate as the errors of the scheme do. The first increment is the error of the extrapolated start
-    /// value, some twenty times the error of the scheme in this step.
-    Energy(f64),
-    /// Residual: |r|₂ is at most this number, with forces and constraints in one norm. Depends on units.
-    Residual(f64),
-    /// Increment: |Δq|₂ is at most this number. Depends on units.
-    Increment(f64),
-}
 
 /// Newton's method with the exact tangent of the equations of motion, with its working storage.
 ///

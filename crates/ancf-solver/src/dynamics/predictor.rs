@@ -12,8 +12,8 @@ use crate::newton::Newton;
 /// In an unresolved motion constant accelerations also fail: after a sudden load or in a fine mesh, accelerations of stiff vibrations are
 /// large and change their signs. Extrapolated positions then have far more strain energy than the motion has energy, and Newton's
 /// method diverges. The next step starts from the [`Guess`] that was the best one in the last step, in the energy zᵀ K z of its
-/// error. The first step starts from constant accelerations if these add less strain energy than they have kinetic energy, and from
-/// constant velocities otherwise.
+/// error. A guess with a small error is kept. The first step starts from constant accelerations if these add less strain energy than they
+/// have kinetic energy, and from constant velocities otherwise.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub(crate) struct Predictor {
     /// Change z and size h of the last step.
@@ -37,8 +37,11 @@ enum Guess {
 
 /// Largest squared prediction error, relative to the squared change, for which the predictor is used.
 const PREDICTION_TOLERANCE: f64 = 0.25;
-/// Largest energy of the error of another guess, relative to that of constant accelerations, for which it replaces them.
-const ADVANTAGE: f64 = 0.25;
+/// Largest energy of the error of another guess, relative to that of constant accelerations, for which it replaces them. Old tangents
+/// reduce errors in stiff directions faster than those of the motion, so that a small advantage is none.
+const ADVANTAGE: f64 = 0.05;
+/// Energy of the error of a guess, relative to that of the motion, up to which no other one is considered.
+const GOOD: f64 = 1e-2;
 
 impl Predictor {
     pub(crate) fn new(size: usize) -> Self {
@@ -95,7 +98,8 @@ impl Predictor {
         of_multipliers.iter_mut().zip(pairs).for_each(|(change, (now, before))| *change = now - before);
         self.is_smooth = self.h.is_some() && missed < PREDICTION_TOLERANCE * changed;
         self.h = Some(h);
-        if !self.is_smooth {
+        let is_poor = self.guess.is_none() || newton.start_error() > GOOD;
+        if !self.is_smooth && is_poor {
             self.guess = Some(Guess::best([before, now], (h, w), newton));
         }
     }

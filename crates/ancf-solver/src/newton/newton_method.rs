@@ -32,6 +32,8 @@ pub struct Newton {
     weights: Weights,
     /// Largest energy of the converged states so far.
     energy: f64,
+    /// Size of the first increment of the last solution, the root of its energy.
+    first: f64,
 }
 
 /// State of [`Newton`] on which later iterations depend.
@@ -77,6 +79,7 @@ impl Newton {
             floor: zeros,
             weights: Weights::STIFFNESS,
             energy: 0.0,
+            first: 0.0,
         })
     }
 
@@ -123,6 +126,13 @@ impl Newton {
     /// Returns true if the iteration stops by the energies of its increments.
     pub(crate) fn has_energy_rule(&self) -> bool {
         matches!(self.stop, StopRule::Energy(_))
+    }
+
+    /// Returns the energy of the first increment of the last solution, relative to the largest energy of the converged states so far.
+    ///
+    /// It is the energy of the error of the state from which the iteration started.
+    pub(crate) fn start_error(&self) -> f64 {
+        self.first * self.first / self.energy
     }
 
     /// Returns zᵀ K z with the last tangent K, for an increment z of n coordinates.
@@ -340,6 +350,7 @@ impl Newton {
                 let largest = if is_motion { self.energy } else { self.energy.max(eom.energy(s).largest()) };
                 let (size, expected) = (energy.sqrt(), tolerance * largest.sqrt());
                 let first = *progress.first.get_or_insert(size);
+                self.first = first;
                 let least = (LEAST_REMAINDER * expected).max(ROUNDING * largest.sqrt());
                 let remainder = (REDUCTION * first).min(REMAINDER * expected).max(least);
                 self.tangent.record(progress.rate(energy));

@@ -7,6 +7,9 @@ use crate::equations::{EquationsOfMotion, Level, State, Weights};
 /// Multiple of the rounding bound below which a gap counts as closed: a relative error of 1e-12. The iteration converges
 /// quadratically, and one increment more would change the state by less.
 const CLOSED: f64 = 1e4;
+/// Gap that is closed in a model of any size. Where joints carry all loads, displacements are rounding errors of rounding errors, and so
+/// are the gaps. The linear solution, with errors relative to the largest multiplier, does not close them further.
+const NO_GAP: f64 = f64::EPSILON * f64::EPSILON;
 
 /// Iterate with its last residual, increment and tangent.
 pub(super) struct Iterate<'a> {
@@ -32,7 +35,9 @@ impl Iterate<'_> {
         self.bound();
         let mut gaps = vec![0.0; self.eom.multipliers()];
         self.eom.constraints(self.s, Level::Position, &mut gaps);
-        gaps.iter().zip(&self.floor[self.s.q.len()..]).all(|(gap, floor)| gap.abs() <= CLOSED * floor)
+        gaps.iter()
+            .zip(&self.floor[self.s.q.len()..])
+            .all(|(gap, floor)| gap.abs() <= CLOSED * floor.max(NO_GAP))
     }
 
     /// Returns the equation with the largest ratio of residual to achievable accuracy, and this ratio.

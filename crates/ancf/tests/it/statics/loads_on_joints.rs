@@ -111,3 +111,30 @@ fn moments_on_bodies_without_degrees_of_freedom_are_carried() {
         }
     }
 }
+
+/// A clamp carries a moment on a rigid body, along any axis. Gaps of its joint are rounding errors of rounding errors, which no increment
+/// closes.
+#[test]
+fn a_clamp_carries_moments_on_a_rigid_body() {
+    for case in 0..12 {
+        let mut moment = [0.0; 3];
+        moment[case % 3] = 1037.0;
+        let mut at = [0.3, -0.2 * (case / 3) as f64, 0.7];
+        let center = at;
+        at[(case + 2) % 3] -= 0.07;
+        let (summary, series) = run(&format!(
+            "gravity = [0, 0, 0]
+            scales = {{ kind = \"none\" }}
+            bodies = [{{ kind = \"rigid\", name = \"b\", center = {center:?}, mass = 4.34, inertia = [0.041, 0.0225, 0.0277] }}]
+            joints = [{{ kind = \"clamp\", name = \"root\", a = {{ body = \"b\", at = {at:?} }} }}]
+            loads = [{{ kind = \"moment\", on = {{ body = \"b\", at = {center:?} }}, moment = {moment:?} }}]
+            analysis = {{ kind = \"statics\" }}"
+        ));
+        assert_eq!(summary.outcome, Outcome::Finished, "{moment:?} at {at:?}");
+        for (axis, moment) in ["mx", "my", "mz"].into_iter().zip(moment) {
+            let values = series.column(&format!("root.{axis}")).unwrap();
+            let reaction = values[values.len() - 1];
+            assert!((reaction.abs() - moment).abs() < 1e-9 * 1037.0, "{axis}: {reaction} for {moment}");
+        }
+    }
+}

@@ -190,7 +190,7 @@ pub enum Inadmissibility {
 mod tests {
     use super::*;
 
-    /// Copies of states at rest and in motion are equal to the last bit, over each other.
+    /// Copies of states at rest and in motion over each other are bit-identical.
     #[test]
     fn copies_are_equal() {
         let rest = State::rest(3, 1);

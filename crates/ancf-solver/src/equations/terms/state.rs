@@ -41,6 +41,7 @@ impl State {
     pub fn add(&mut self, z: &[f64], w: Weights) {
         let (dz, dlambda) = z.split_at(self.q.len());
         if w == Weights::STIFFNESS {
+            // In statics the zero velocities and accelerations are not written.
             self.q.iter_mut().zip(dz).for_each(|(q, dz)| *q += dz);
         } else {
             for (i, dz) in dz.iter().enumerate() {

@@ -133,12 +133,10 @@ fn prestrain(draft: &mut Draft, body: &str, thickness: f64) {
     std::mem::swap(&mut draft.random, &mut own);
 }
 
-/// Adds a law of the membrane forces to some shells without prescribed strains. It has random numbers of its own.
+/// Adds a law of the membrane forces to some shells. It has random numbers of its own.
 fn membrane(draft: &mut Draft, body: &str) {
     let mut own = Random::new(draft.random.clone().bits() ^ STREAM.rotate_left(13));
-    let is_strained =
-        draft.loads.iter().any(|load| load["kind"] == "surface_prestrain" && load["body"] == body);
-    if is_strained || !own.chance(0.3) {
+    if !own.chance(0.3) {
         return;
     }
     let law = own.choose(&["linear", "neo_hookean"]);

@@ -74,7 +74,8 @@ impl SurfaceStress {
             layers: section.surfaces.map(|at| back(at.stiffness * (own + bent * at.height))),
         };
         if let Some(law) = &section.law {
-            let state = law.state(&own);
+            let [total, free] = [strain, prescribed[0]].map(|strain| to_section * strain);
+            let state = law.strained_state([&total, &free]);
             let thickness = section.surfaces[0].height - section.surfaces[2].height;
             found.force = back(state.force);
             found.energy = state.energy + 0.5 * moment.dot(&bent);

@@ -156,16 +156,20 @@ impl Operator<'_> {
     ///
     /// The pivot of a point mass or a rigid body without stiffness is −σm, close to zero. Its position is then a difference of forces
     /// divided by this pivot, which leaves the constraints open by more than their own rounding error. A correction has the same relative
-    /// error, so that corrections are repeated while they decrease.
+    /// error, so that corrections are repeated while they decrease. Constraints of one coordinate have no rounding error of their own:
+    /// the square of the unit roundoff, relative to the solution, counts as closed.
     fn close_constraints(&mut self, x: &mut DVector<f64>, demanded: &[f64]) -> Result<(), EigenError> {
         let (n, mut last) = (self.coordinates, f64::INFINITY);
+        let mut rows = DVector::<f64>::zeros(x.len() - n);
+        self.left.constraints().for_each(|(multiplier, _, entry)| rows[multiplier - n] += entry.abs());
+        let closed = f64::EPSILON.powi(2) * rows.norm();
         for _ in 0..CLOSINGS {
             let mut open = DVector::zeros(x.len());
             open.as_mut_slice()[n..].copy_from_slice(demanded);
             self.left.constraints().for_each(|(multiplier, c, entry)| open[multiplier] -= entry * x[c]);
             let size = open.norm();
             // Rounding errors of the constraints themselves remain.
-            if size == 0.0 || size > 0.5 * last {
+            if size <= closed * x.rows(0, n).amax() || size > 0.5 * last {
                 break;
             }
             last = size;

@@ -12,15 +12,17 @@ use super::units::add_units;
 use crate::errors::{listed, quoted};
 use crate::model::Model;
 
-/// Schema for reading models.
-pub(crate) static SCHEMA: LazyLock<Json> = LazyLock::new(|| schema().to_value());
+/// Schema for reading models: that of [`schema`] without units, with links in descriptions. Each run generates it.
+pub(crate) static SCHEMA: LazyLock<Json> = LazyLock::new(|| {
+    SchemaSettings::draft2020_12().into_generator().into_root_schema_for::<Model>().to_value()
+});
 
 /// Returns the JSON Schema (draft 2020-12) of a model file, generated from [`Model`].
 ///
 /// The keyword `x-unit` states the unit of a key as a product of powers, such as `force/length^2`.
 pub fn schema() -> Schema {
     let schema = SchemaSettings::draft2020_12()
-        .with_transform(RecursiveTransform(without_links))
+        .with_transform(RecursiveTransform(remove_links))
         .into_generator()
         .into_root_schema_for::<Model>();
     let mut json = schema.to_value();
@@ -28,11 +30,16 @@ pub fn schema() -> Schema {
     Schema::try_from(json).expect("an object is a schema")
 }
 
-/// Removes links between Rust items from a description.
-fn without_links(schema: &mut Schema) {
+/// Removes links between Rust items from the description of a schema.
+fn remove_links(schema: &mut Schema) {
     if let Some(Json::String(text)) = schema.get_mut("description") {
-        *text = text.replace("[`", "`").replace("`]", "`");
+        *text = without_links(text);
     }
+}
+
+/// Returns a description without links between Rust items.
+pub(super) fn without_links(description: &str) -> String {
+    description.replace("[`", "`").replace("`]", "`")
 }
 
 /// Alternative forms of a schema, with references resolved.

@@ -8,7 +8,9 @@ use std::rc::Rc;
 use serde_json::Value as Json;
 use toml::{Table, Value};
 
-use super::generate::{allows, expected, forms, found, is_free, keys, kind, required, tag, wanted_of};
+use super::generate::{
+    allows, expected, forms, found, is_free, keys, kind, required, tag, wanted_of, without_links,
+};
 use crate::errors::{Finding, ModelError, listed, nearest, quoted};
 
 /// Result of the check of data against a schema.
@@ -255,7 +257,7 @@ impl SchemaCheck {
 
     fn missing(&mut self, key: &str, expected: String, description: &Json, path: &str) {
         let mut error = ModelError::new(join(path, key), format!("no key `{key}`"), expected);
-        let description = description.as_str().unwrap_or_default().replace('\n', " ");
+        let description = without_links(description.as_str().unwrap_or_default()).replace('\n', " ");
         error.hint = description.split(". ").next().map(|text| text.trim_end_matches('.').to_owned());
         error.hint = error.hint.filter(|hint| !hint.is_empty());
         self.findings.push(Finding { absence: true, ..error.into() });

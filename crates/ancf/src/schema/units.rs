@@ -73,7 +73,7 @@ fn has_unit(tree: &UnitTree) -> bool {
 mod tests {
     use std::collections::BTreeSet;
 
-    use crate::schema::SCHEMA;
+    use crate::schema::schema;
 
     use super::*;
 
@@ -144,7 +144,8 @@ mod tests {
     #[test]
     fn descriptions_agree_with_units() {
         let mut found = Vec::new();
-        quantities(&SCHEMA, "", &mut found);
+        let schema = schema().to_value();
+        quantities(&schema, "", &mut found);
         assert!(found.len() > 80, "{} units", found.len());
         let mut silent = Vec::new();
         for (path, part) in found {
@@ -159,14 +160,15 @@ mod tests {
 
     #[test]
     fn numbers_without_unit_are_known() {
-        let unit = |pointer: &str| SCHEMA.pointer(pointer).unwrap()["x-unit"].clone();
+        let schema = schema().to_value();
+        let unit = |pointer: &str| schema.pointer(pointer).unwrap()["x-unit"].clone();
         assert_eq!(unit("/properties/gravity"), "length/time^2");
         assert_eq!(unit("/$defs/Material/properties/density"), "mass/length^3");
         assert_eq!(unit("/$defs/Material/properties/poisson"), Json::Null);
         assert_eq!(unit("/$defs/Step/anyOf/0"), "time");
         assert_eq!(unit("/$defs/At/anyOf/2"), "length");
         let axis = ["force/length"; 3].into_iter().chain(["force*length/radian"; 3]).collect::<Vec<_>>();
-        let joints = SCHEMA["$defs"]["Joint"]["oneOf"].as_array().unwrap();
+        let joints = schema["$defs"]["Joint"]["oneOf"].as_array().unwrap();
         let bushing = joints.iter().find(|joint| joint["properties"]["kind"]["const"] == "bushing").unwrap();
         assert_eq!(bushing["properties"]["stiffness"]["x-unit"], json!(axis));
     }

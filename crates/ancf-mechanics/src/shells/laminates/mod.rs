@@ -5,6 +5,8 @@ mod local_section;
 mod membrane_law;
 mod membrane_points;
 mod place_formula;
+mod prestrained_law;
+mod prestrained_points;
 mod section;
 mod thick_section;
 

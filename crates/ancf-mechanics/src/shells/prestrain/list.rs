@@ -4,7 +4,8 @@ use std::sync::Arc;
 use ancf_solver::equations::{LOCAL, Local, State, Term};
 use nalgebra::Vector3;
 
-use super::element::StrainedElement;
+use super::law_element::LawElement;
+use super::law_term::LawPrestrain;
 use super::source::{Covariant, Factors, SurfaceLaw, SurfacePrestrain, each_part, factors};
 use super::term::ShellPrestrain;
 
@@ -27,7 +28,7 @@ trait PrestrainTerm: Term {
     fn copied(&self) -> Box<dyn Term>;
 }
 
-impl<E: StrainedElement> PrestrainTerm for ShellPrestrain<E> {
+impl<T: Term + Clone + 'static> PrestrainTerm for T {
     fn copied(&self) -> Box<dyn Term> {
         Box::new(self.clone())
     }
@@ -39,8 +40,12 @@ pub(crate) struct ElementPrestrain(Arc<dyn PrestrainTerm>);
 
 impl ElementPrestrain {
     /// Creates the term of an element for the sources that cover it.
-    pub(crate) fn new<E: StrainedElement>(element: &E, sources: Vec<SurfacePrestrain>) -> Self {
-        Self(Arc::new(ShellPrestrain::new(element.clone(), sources)))
+    pub(crate) fn new<E: LawElement>(element: &E, sources: Vec<SurfacePrestrain>) -> Self {
+        let element = element.clone();
+        match element.law() {
+            None => Self(Arc::new(ShellPrestrain::new(element, sources))),
+            Some(_) => Self(Arc::new(LawPrestrain::new(element, sources))),
+        }
     }
 }
 

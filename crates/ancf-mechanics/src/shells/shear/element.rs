@@ -51,9 +51,9 @@ fn vectors<const V: usize>(x: &[f64]) -> Vectors<V> {
 }
 
 /// State of an element: its strains and their gradients by the nodal vectors.
-struct ShearState<const S: usize, const C: usize> {
+pub(super) struct ShearState<const S: usize, const C: usize> {
     strains: Strains<S>,
-    gradients: SMatrix<f64, S, C>,
+    pub(super) gradients: SMatrix<f64, S, C>,
 }
 
 impl<const S: usize, const C: usize> ShearState<S, C> {
@@ -90,7 +90,7 @@ impl<const V: usize, const S: usize, const C: usize> ShearElement<V, S, C> {
         })
     }
 
-    fn state(&self, q: &[f64]) -> ShearState<S, C> {
+    pub(super) fn state(&self, q: &[f64]) -> ShearState<S, C> {
         let u = vectors(q);
         let (mut strains, mut gradients) = (Strains::zeros(), SMatrix::zeros());
         for k in 0..S {

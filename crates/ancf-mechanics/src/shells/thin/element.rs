@@ -34,7 +34,7 @@ pub struct Shell48 {
     tables: Arc<ShellTables>,
     profile: Arc<ShellProfile>,
     /// Law of the membrane forces if it is not linear.
-    nonlinear: Option<Arc<NonlinearMembrane>>,
+    pub(super) nonlinear: Option<Arc<NonlinearMembrane>>,
 }
 
 impl Shell48 {
@@ -69,7 +69,7 @@ impl Shell48 {
         }
     }
 
-    fn state(&self, q: &[f64]) -> SurfaceState {
+    pub(super) fn state(&self, q: &[f64]) -> SurfaceState {
         SurfaceState::new(&self.tables, &self.profile, &vectors(q))
     }
 
@@ -97,7 +97,7 @@ impl Shell48 {
     }
 
     /// Returns the tables and the profile.
-    fn data(&self) -> (&ShellTables, &ShellProfile) {
+    pub(super) fn data(&self) -> (&ShellTables, &ShellProfile) {
         (&self.tables, &self.profile)
     }
 

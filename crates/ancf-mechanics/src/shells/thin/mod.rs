@@ -3,6 +3,7 @@
 mod bent_points;
 mod element;
 mod hermite;
+mod law_element;
 mod membrane_stiffness;
 mod nonlinear_membrane;
 mod profile;

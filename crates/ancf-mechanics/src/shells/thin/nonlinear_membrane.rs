@@ -10,7 +10,7 @@ use crate::shells::laminates::{MembranePoints, to_orthonormal};
 
 /// Law of the membrane forces at the integration points of an element.
 #[derive(Clone, Debug)]
-pub(crate) struct NonlinearMembrane(MembranePoints);
+pub(crate) struct NonlinearMembrane(pub(super) MembranePoints);
 
 impl NonlinearMembrane {
     /// Creates the law at the points of an element; `None` for a linear one.

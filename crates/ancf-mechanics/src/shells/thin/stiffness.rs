@@ -103,7 +103,7 @@ type StrainRows = [[Row; 3]; MEMBRANE];
 impl SurfaceState {
     /// Returns the derivatives of the membrane strains.
     #[inline(always)]
-    fn membrane_rows(&self, tables: &ShellTables) -> StrainRows {
+    pub(super) fn membrane_rows(&self, tables: &ShellTables) -> StrainRows {
         let mut rows = [[Row::ZERO; 3]; MEMBRANE];
         for (t, (row, sample)) in rows.iter_mut().zip(&tables.samples).enumerate() {
             let [x, y] = &sample.shapes;

@@ -29,12 +29,12 @@ pub(crate) fn shells(model: &IndexedModel<'_>) -> Vec<Finding> {
         findings.extend(surface);
         findings.extend(laminates::rule_of_axis(&path, shell));
         findings.extend(laminates::layers(model, &path, layup));
-        findings.extend(rule_of_membrane(model, &path, (&shell.name, shell.membrane.as_ref(), layup)));
+        findings.extend(rule_of_membrane(model, &path, (shell.membrane.as_ref(), layup)));
     }
     for (path, shell) in shear_shells_of(model) {
         let layup = shell.layup();
         findings.extend(rule_of_material(model, &path, layup));
-        findings.extend(rule_of_membrane(model, &path, (&shell.name, shell.membrane.as_ref(), layup)));
+        findings.extend(rule_of_membrane(model, &path, (shell.membrane.as_ref(), layup)));
         findings.extend(laminates::layers(model, &path, layup));
         findings.extend(meshes::rules(model, &path, (shell, layup)));
     }
@@ -51,35 +51,24 @@ pub(crate) fn shells(model: &IndexedModel<'_>) -> Vec<Finding> {
     findings
 }
 
-/// Checks that a shell with a law of the membrane has one isotropic material and no prescribed strains.
+/// Checks that a shell with a law of the membrane has one isotropic material.
 fn rule_of_membrane(
     model: &IndexedModel<'_>,
     path: &str,
-    (name, membrane, layup): (&str, Option<&Membrane>, Layup<'_>),
+    (membrane, layup): (Option<&Membrane>, Layup<'_>),
 ) -> Option<Finding> {
     membrane?;
-    let key = format!("{path}.membrane");
     let is_orthotropic =
         model.materials.get(layup.material).is_some_and(|material| material.orthotropic.is_some());
-    let error = |found: &str, owner: String| {
-        Some(
-            finding(
-                key.clone(),
-                found,
-                "no key `membrane`, or one isotropic material without prescribed strains",
-            )
-            .rests_on([owner]),
-        )
+    let (found, owner) = if !layup.layers.is_empty() {
+        ("a law of the membrane of a laminate", format!("{path}.layers"))
+    } else if is_orthotropic {
+        ("a law of the membrane of an orthotropic material", "materials".into())
+    } else {
+        return None;
     };
-    if !layup.layers.is_empty() {
-        return error("a law of the membrane of a laminate", format!("{path}.layers"));
-    }
-    if is_orthotropic {
-        return error("a law of the membrane of an orthotropic material", "materials".into());
-    }
-    let strained =
-        loads_of(model).find(|(_, load)| matches!(load, Load::SurfacePrestrain(load) if load.body == name));
-    strained.and_then(|(owner, _)| error("a law of the membrane of a shell with prescribed strains", owner))
+    let expected = "no key `membrane`, or one isotropic material";
+    Some(finding(format!("{path}.membrane"), found, expected).rests_on([owner]))
 }
 
 /// Checks that errors of meshes with shells are estimated in statics, undamped modes and buckling only.

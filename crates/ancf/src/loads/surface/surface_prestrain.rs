@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::errors::{Finding, finding, number};
 use crate::loads::parts::{LoadBuilder, LoadContext, LoadKind};
-use crate::model::{Body, TimeFunction, axis_on_shell, region_of_shell, shell_body};
+use crate::model::{Body, MembraneKind, TimeFunction, axis_on_shell, region_of_shell, shell_body};
 use crate::units::Scaled;
 
 /// Change of the stress-free shape of a shell: heating, swelling, pretension, natural curvature.
@@ -75,12 +75,15 @@ impl LoadKind for SurfacePrestrain {
         }
         let region = region_of_shell(path, self.region.as_deref(), body());
         let axis = self.axis.and_then(|axis| axis_on_shell(format!("{path}.axis"), axis, body()));
-        region.into_iter().chain(axis).chain(self.check_tension(path, context)).collect()
+        let tension = self.check_tension(path, context).or_else(|| self.check_law(path, context));
+        region.into_iter().chain(axis).chain(tension).collect()
     }
 }
 
 /// Largest tension, relative to E h.
 const LARGEST: f64 = 0.25;
+/// Relative error of a principal force of zero.
+const ROUNDING: f64 = 1e-12;
 
 impl SurfacePrestrain {
     /// Prescribed strains of the elements of a shell.
@@ -97,6 +100,27 @@ impl SurfacePrestrain {
             elements: region,
             function,
         }
+    }
+
+    /// Checks that the law of the membrane has the forces of the tension in the reference shape.
+    fn check_law(&self, path: &str, context: &dyn LoadContext) -> Option<Finding> {
+        let (owner, body) = context.body(&self.body)?;
+        let membrane = body.membrane()?;
+        let [n11, n22, n12] = self.tension;
+        let [mean, radius] = [0.5 * (n11 + n22), (0.5 * (n11 - n22)).hypot(n12)];
+        let least = mean - radius;
+        let (found, expected) = if self.tension == [0.0; 3] {
+            return None;
+        } else if membrane.law == MembraneKind::NeoHookean {
+            let expected = "`strain`: a neo-Hookean membrane at the stretch λ has the strain 1/λ − 1";
+            ("a tension of a neo-Hookean membrane".into(), expected)
+        } else if membrane.tension_field && least < -ROUNDING * radius {
+            let expected = "principal forces of zero or more: a tension field has no compressive forces";
+            (format!("the principal force {}", number(least)), expected)
+        } else {
+            return None;
+        };
+        Some(finding(format!("{path}.tension"), found, expected).rests_on([format!("{owner}.membrane")]))
     }
 
     /// Checks that the strain of the tension is small.

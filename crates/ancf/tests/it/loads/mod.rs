@@ -10,5 +10,6 @@ mod prestrain;
 mod shell_fluids;
 mod shell_prestrains;
 mod skew_ratios;
+mod strained_membranes;
 mod supplied;
 mod variations;

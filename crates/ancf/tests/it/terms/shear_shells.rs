@@ -51,7 +51,7 @@ pub(super) fn medium(is_laminate: bool, damping: [f64; 2]) -> ShearMedium {
 }
 
 /// Homogeneous plate with a law of the membrane.
-fn with_law(law: MembraneLaw, damping: [f64; 2]) -> ShearMedium {
+pub(super) fn with_law(law: MembraneLaw, damping: [f64; 2]) -> ShearMedium {
     let medium = medium(false, damping);
     ShearMedium { section: medium.section.with_law(Some(law)), ..medium }
 }
@@ -95,9 +95,14 @@ fn element(corners: usize, is_laminate: bool, damping: [f64; 2]) -> Box<dyn Term
 
 /// Mesh of one element.
 pub(super) fn mesh_of(corners: usize, is_laminate: bool, damping: [f64; 2]) -> ShearShellMesh {
+    mesh_with(corners, &medium(is_laminate, damping))
+}
+
+/// Mesh of one element with some corners.
+pub(super) fn mesh_with(corners: usize, medium: &ShearMedium) -> ShearShellMesh {
     let (points, faces) = (&nodes()[..corners], vec![face(corners)]);
     let normals = directors(points, &faces);
-    ShearShellMesh::new(0, points, &normals, faces, &medium(is_laminate, damping))
+    ShearShellMesh::new(0, points, &normals, faces, medium)
 }
 
 /// Elements without and with coupling and damping, and their pressure.

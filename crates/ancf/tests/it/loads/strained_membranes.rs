@@ -205,7 +205,7 @@ fn heated(kind: Shell, membrane: &'static str, scheme: &str, step: f64) -> Model
     let text = own.text();
     let clamped = text.split("[[joints]]").take(2).collect::<Vec<_>>().join("[[joints]]");
     parse(&format!(
-        "analysis = {{ kind = \"dynamics\", duration = 2, step = {step}{scheme} }}\n{}",
+        "analysis = {{ kind = \"dynamics\", duration = 1.2, step = {step}{scheme} }}\n{}",
         clamped.replace("hinged", "clamped")
     ))
 }

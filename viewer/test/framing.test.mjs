@@ -28,6 +28,7 @@ const SPATIAL = [
   "rope",
   "rotor",
   "spring",
+  "tent",
   "tuning_fork",
 ];
 

@@ -81,7 +81,24 @@ impl ConstraintGroup {
         };
         self.parts.iter().flat_map(rows).collect()
     }
+
+    /// Adds the tangents of the constraints, each computed in the storage.
+    fn add_tangent(&self, at: &Local<'_>, w: Weights, k: &mut LocalMatrix<'_>, storage: &mut [f64]) {
+        for part in &self.parts {
+            let mut block = LocalMatrix::zero(part.size(), storage);
+            part.evaluate(at, |own| part.term.tangent(own, w, &mut block));
+            for j in 0..part.size() {
+                for i in j..part.size() {
+                    let (row, column) = (part.place(i, at.q.len()), part.place(j, at.q.len()));
+                    k.add(row.max(column), row.min(column), block.get(i, j));
+                }
+            }
+        }
+    }
 }
+
+/// Number of unknowns of a constraint between two rigid bodies, and of those that are smaller.
+const SMALL: usize = 32;
 
 /// True if a constraint can follow the last one of a group.
 fn can_follow(group: &[GroupedConstraint], next: &GroupedConstraint) -> bool {
@@ -165,16 +182,11 @@ impl Term for ConstraintGroup {
     }
 
     fn tangent(&self, at: &Local<'_>, w: Weights, k: &mut LocalMatrix<'_>) {
-        let mut storage = [0.0; LOCAL * (LOCAL + 1) / 2];
-        for part in &self.parts {
-            let mut block = LocalMatrix::zero(part.size(), &mut storage);
-            part.evaluate(at, |own| part.term.tangent(own, w, &mut block));
-            for j in 0..part.size() {
-                for i in j..part.size() {
-                    let (row, column) = (part.place(i, at.q.len()), part.place(j, at.q.len()));
-                    k.add(row.max(column), row.min(column), block.get(i, j));
-                }
-            }
+        // Clearing the storage of the largest term takes longer than the tangent of a joint of rigid bodies.
+        if self.parts.iter().all(|part| part.size() <= SMALL) {
+            self.add_tangent(at, w, k, &mut [0.0; SMALL * (SMALL + 1) / 2]);
+        } else {
+            self.add_tangent(at, w, k, &mut [0.0; LOCAL * (LOCAL + 1) / 2]);
         }
     }
 }

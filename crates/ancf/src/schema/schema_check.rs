@@ -23,6 +23,8 @@ pub(crate) struct SchemaCheck {
     misspelt: Vec<(String, String)>,
     /// Alternative forms of the schemas so far, by the address of the schema.
     forms: HashMap<*const Json, Rc<[&'static Json]>>,
+    /// Tags of the forms of tables so far, by the address of the form.
+    tags: HashMap<*const Json, Option<(&'static str, &'static str)>>,
 }
 
 /// Table by corrected keys, with the keys in the file.
@@ -51,6 +53,10 @@ impl SchemaCheck {
 
     fn forms(&mut self, schema: &'static Json) -> Rc<[&'static Json]> {
         Rc::clone(self.forms.entry(schema).or_insert_with(|| forms(schema).into()))
+    }
+
+    fn tag(&mut self, form: &'static Json) -> Option<(&'static str, &'static str)> {
+        *self.tags.entry(form).or_insert_with(|| tag(form))
     }
 
     fn value(&mut self, schema: &'static Json, value: &Value, path: &str) -> Value {
@@ -145,15 +151,16 @@ impl SchemaCheck {
 
     /// Selects the form of a table by its tag, and removes the tag from the entries. The flag is true if the form is certain.
     fn form(&mut self, forms: &[&'static Json], entries: &mut Entries, path: &str) -> (&'static Json, bool) {
-        let Some((key, _)) = tag(forms[0]) else { return (untagged_form(forms, entries), true) };
+        let Some((key, _)) = self.tag(forms[0]) else { return (untagged_form(forms, entries), true) };
         self.correct_tag(key, forms, entries, path);
-        let words = || forms.iter().filter_map(|form| Some(tag(form)?.1));
-        let named = |word| forms.iter().copied().find(|form| tag(form).is_some_and(|(_, own)| own == word));
         let stated = entries.remove(key);
         let word = stated.and_then(|(_, value)| value.as_str());
-        if let Some(form) = word.and_then(named) {
+        let mut is_stated = |form: &&'static Json| self.tag(form).is_some_and(|(_, own)| word == Some(own));
+        if let Some(form) = forms.iter().copied().find(&mut is_stated) {
             return (form, true);
         }
+        let words = || forms.iter().filter_map(|form| Some(tag(form)?.1));
+        let named = |word| forms.iter().copied().find(|form| tag(form).is_some_and(|(_, own)| own == word));
         let near = word.and_then(|word| nearest(word, words()));
         let expected = listed(words().map(quoted), "or");
         match stated {
@@ -176,9 +183,12 @@ impl SchemaCheck {
         entries: &mut Entries<'a>,
         path: &str,
     ) {
+        if entries.contains_key(tag) {
+            return;
+        }
         let known = |key: &str| forms.iter().any(|form| !form["properties"][key].is_null());
         let spelt = entries.keys().copied().find(|key| !known(key) && nearest(key, [tag]).is_some());
-        if let Some(spelt) = spelt.filter(|_| !entries.contains_key(tag)) {
+        if let Some(spelt) = spelt {
             self.unknown(spelt, Some(tag), format!("`{tag}`"), path);
             self.rename(spelt, tag, entries, path);
         }
@@ -209,10 +219,10 @@ impl SchemaCheck {
 
     /// Returns the corrected properties of a table. Missing keys are reported if the form is certain.
     fn properties(&mut self, form: &'static Json, entries: &Entries, is_certain: bool, path: &str) -> Value {
-        let mut corrected = Table::new();
+        let (mut corrected, tag) = (Table::new(), self.tag(form));
         for key in keys(form) {
             let schema = &form["properties"][key];
-            if let Some((_, word)) = tag(form).filter(|(tag, _)| *tag == key) {
+            if let Some((_, word)) = tag.filter(|(tag, _)| *tag == key) {
                 corrected.insert(key.into(), word.into());
             } else if let Some((spelt, value)) = entries.get(key) {
                 corrected.insert(key.into(), self.value(schema, value, &join(path, spelt)));

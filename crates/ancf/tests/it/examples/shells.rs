@@ -1,4 +1,4 @@
-//! Annular plate, banner, bracket and cloth.
+//! Annular plate, banner, bracket, cloth and tent.
 
 use std::f64::consts::PI;
 
@@ -53,4 +53,22 @@ fn cloth_drapes_over_a_ball() {
     let kinetic = run.column("kinetic");
     let largest = kinetic.iter().fold(0.0, |a: f64, b| a.max(*b));
     assert!(last("kinetic") < 0.5 * largest, "{} of {largest}", last("kinetic"));
+}
+
+/// The arch has lost its pretension, the sag carries, and the supports carry weight and snow of the whole surface.
+#[test]
+fn tent_carries_snow_by_its_sag() {
+    let run = Run::of(&model("tent"));
+    let last = |name: &str| *run.column(name).last().unwrap();
+    let [arch, sag] = [1.0, -1.0].map(|sign| last("middle.nuu") + sign * last("middle.nuv"));
+    assert_near("principal directions", last("middle.nuu"), last("middle.nvv"), 1e-3);
+    assert!(arch.abs() < 1.0 && sag > 4000.0, "{arch} and {sag} N/m");
+    // Area of z = 2 (x/6 + y/6 − 2 x y/36) over the square of 6 × 6, by the midpoint rule.
+    let slope = |x: f64| (1.0 - 2.0 * x) / 3.0;
+    let places = (0..100).map(|k| (f64::from(k) + 0.5) / 100.0);
+    let cells = places.clone().flat_map(|x| places.clone().map(move |y| [slope(x), slope(y)]));
+    let area: f64 = cells.map(|[a, b]| 36e-4 * (1.0 + a * a + b * b).sqrt()).sum();
+    let carried: f64 =
+        ["front", "back", "left", "right"].map(|name| last(&format!("{name}.fz"))).iter().sum();
+    assert_relative("reactions", carried, area * (600.0 + 1200.0 * 1e-3 * 9.81), 1e-5);
 }

@@ -1,4 +1,4 @@
-use ancf_solver::equations::{Energy, Local, LocalMatrix, LocalStep, Term, Weights};
+use ancf_solver::equations::{Energy, LOCAL, Local, LocalMatrix, LocalStep, Term, Weights};
 use nalgebra::{Matrix3, Vector3};
 
 use super::law_element::LawElement;
@@ -126,8 +126,8 @@ impl<E: LawElement> Term for LawPrestrain<E> {
             with.abs() + without.abs()
         });
         self.element().add_rounding_of(at.q, &strained.with_damping(sum), floor);
-        let zeros = vec![0.0; at.q.len()];
-        self.element().rounding(&Local { v: &zeros, a: &zeros, load: 0.0, ..*at }, floor);
+        let still = &[0.0; LOCAL][..at.q.len()];
+        self.element().rounding(&Local { v: still, a: still, load: 0.0, ..*at }, floor);
     }
 
     fn tangent(&self, at: &Local<'_>, w: Weights, k: &mut LocalMatrix<'_>) {

@@ -40,13 +40,13 @@ impl LawElement for Shell48 {
         k: &mut LocalMatrix<'_>,
     ) {
         let (tables, _) = self.data();
-        let mut sum = Box::new(SMatrix::<f64, MEMBRANE, MEMBRANE>::zeros());
+        let mut sum = SMatrix::<f64, MEMBRANE, MEMBRANE>::zeros();
         for point in 0..POINTS {
             tables.add_membrane_stiffness(point, &stiffness(point), &mut sum);
         }
         let rows = self.state(q).membrane_rows(tables);
         let gradients = SMatrix::<f64, MEMBRANE, COORDINATES>::from_fn(|t, i| rows[t][i % 3].0[i / 3]);
-        let matrix = gradients.transpose() * (*sum * gradients);
+        let matrix = gradients.transpose() * (sum * gradients);
         for j in 0..COORDINATES {
             let column = k.column_mut(j);
             (j..COORDINATES).for_each(|i| column[i - j] += matrix[(i, j)]);

@@ -10,6 +10,7 @@ mod places;
 mod prestrained;
 mod section_forces;
 mod section_frames;
+mod shell_place;
 mod strains;
 mod surface_field;
 
@@ -18,5 +19,6 @@ pub use distributed::ElementSpan;
 pub use mesh::{BeamMesh, MeshParameters};
 pub use section_forces::RodGap;
 pub use section_frames::{CarriedFrame, normals_to};
+pub use shell_place::ShellPlace;
 pub use strains::SectionStrain;
 pub use surface_field::SurfaceField;

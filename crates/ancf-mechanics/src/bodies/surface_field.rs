@@ -1,7 +1,8 @@
 use ancf_solver::equations::State;
 
 use super::body_terms::BodyTerms;
-use crate::shells::{ShearStressField, ShellPlace, StressField, SurfaceStress};
+use super::shell_place::ShellPlace;
+use crate::shells::{ShearStressField, StressField, SurfaceStress};
 
 /// Stresses of a shell of either kind in a state, for evaluation at many points.
 #[derive(Clone, Debug)]

@@ -19,8 +19,8 @@ pub use mesh::{ShellEdge, ShellMesh};
 pub use pressure::{ElementPatch, EnclosedVolume, GasPressure, PatchMeasures, SurfacePatch};
 pub use prestrain::SurfacePrestrain;
 pub use shear::{
-    Face, MeshTopology, NearestPoint, ShearMedium, ShearShellMesh, ShearStressField, ShellPlace,
-    SurfacePlace, TopologyDefect, directors, stress_axis,
+    Face, MeshTopology, NearestPoint, ShearMedium, ShearShellMesh, ShearStressField, SurfacePlace,
+    TopologyDefect, directors, stress_axis,
 };
 pub(crate) use shear::{NODES, Shape};
 pub use stress::StressField;

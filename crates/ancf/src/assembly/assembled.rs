@@ -1,10 +1,10 @@
 use std::collections::BTreeSet;
 use std::ops::Range;
 
-use ancf_mechanics::bodies::{BeamMesh, BodyTerms};
+use ancf_mechanics::bodies::{BeamMesh, BodyTerms, ShellPlace};
 use ancf_mechanics::constraints::Wrench;
 use ancf_mechanics::kinematics::{Attachment, BodyVector, VectorKind};
-use ancf_mechanics::shells::{ShearShellMesh, ShellMesh, ShellPlace};
+use ancf_mechanics::shells::{ShearShellMesh, ShellMesh};
 use ancf_solver::equations::{EquationsOfMotion, State, System};
 use ancf_solver::newton::SolveError;
 use nalgebra::Vector3;

@@ -1,9 +1,9 @@
 use std::sync::Arc;
 
-use ancf_mechanics::bodies::{BodyTerms, CarriedFrame, SurfaceField};
+use ancf_mechanics::bodies::{BodyTerms, CarriedFrame, ShellPlace, SurfaceField};
 use ancf_mechanics::constraints::Wrench;
 use ancf_mechanics::kinematics::Attachment;
-use ancf_mechanics::shells::{ShellPlace, SurfacePlace, SurfaceStress};
+use ancf_mechanics::shells::{SurfacePlace, SurfaceStress};
 use ancf_solver::equations::{State, Term};
 use nalgebra::Vector3;
 

@@ -1,16 +1,13 @@
 //! Stresses, energy and stiffness of shear-deformable shells whose membrane forces may have a law that is not linear in the strains.
 
-use ancf_solver::equations::LocalMatrix;
-use nalgebra::{Matrix3, SMatrix, Vector3};
+use nalgebra::{SMatrix, Vector3};
 
-use super::element::ShearElement;
 use super::forms::{SURFACE, Strains};
 use super::profile::ShearProfile;
 use crate::shells::laminates::MembranePoints;
-use crate::shells::prestrain::LawElement;
 
 /// Returns the membrane strain at an integration point.
-fn membrane<const S: usize>(strains: &Strains<S>, k: usize) -> Vector3<f64> {
+pub(super) fn membrane<const S: usize>(strains: &Strains<S>, k: usize) -> Vector3<f64> {
     strains.fixed_rows::<3>(SURFACE * k).into()
 }
 
@@ -19,7 +16,7 @@ impl<const V: usize, const S: usize> ShearProfile<V, S> {
     ///
     /// Such an element has no enhanced strains and its section no coupling, so that membrane forces depend on the membrane strains at
     /// their point only.
-    fn with_forces(
+    pub(super) fn with_forces(
         &self,
         mut stress: Strains<S>,
         force: impl Fn(&MembranePoints, usize) -> Vector3<f64>,
@@ -90,40 +87,5 @@ impl<const V: usize, const S: usize> ShearProfile<V, S> {
         self.with_forces(self.linear_stress(strains), |law, k| {
             law.force(k, &membrane(strains, k)) + law.correction(k, ends.map(|end| membrane(end, k)))
         })
-    }
-}
-
-impl<const V: usize, const S: usize, const C: usize> LawElement for ShearElement<V, S, C> {
-    fn law(&self) -> Option<&MembranePoints> {
-        self.profile.membrane.as_ref()
-    }
-
-    fn membrane_points(&self) -> usize {
-        self.profile.shape.surface_points().len()
-    }
-
-    fn membrane_at(&self, strains: &Strains<S>, point: usize) -> Vector3<f64> {
-        membrane(strains, point)
-    }
-
-    fn set_forces(&self, stress: &mut Strains<S>, force: &dyn Fn(usize) -> Vector3<f64>) {
-        *stress = self.profile.with_forces(*stress, |_, k| force(k));
-    }
-
-    fn add_membrane_stiffness(
-        &self,
-        q: &[f64],
-        stiffness: &dyn Fn(usize) -> Matrix3<f64>,
-        k: &mut LocalMatrix<'_>,
-    ) {
-        let gradients = self.state(q).gradients;
-        for point in 0..self.membrane_points() {
-            let rows = gradients.fixed_rows::<3>(SURFACE * point);
-            let matrix = rows.transpose() * (stiffness(point) * rows);
-            for j in 0..C {
-                let column = k.column_mut(j);
-                (j..C).for_each(|i| column[i - j] += matrix[(i, j)]);
-            }
-        }
     }
 }

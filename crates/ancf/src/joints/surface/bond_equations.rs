@@ -1,6 +1,6 @@
 //! Equations of bonds: points of a beam move with the points of the shell below them.
 
-use ancf_mechanics::shells::ShellPlace;
+use ancf_mechanics::bodies::ShellPlace;
 
 use super::bond_feet::feet;
 use crate::joints::parts::JointBuilder;

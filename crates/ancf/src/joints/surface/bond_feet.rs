@@ -1,6 +1,6 @@
 //! Points of a shell to which the nodes of a beam are bonded.
 
-use ancf_mechanics::shells::ShellPlace;
+use ancf_mechanics::bodies::ShellPlace;
 use nalgebra::{Matrix2, Vector2, Vector3};
 
 use crate::errors::number;

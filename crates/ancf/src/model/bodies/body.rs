@@ -1,5 +1,5 @@
+use ancf_mechanics::bodies::ShellPlace;
 use ancf_mechanics::kinematics::ReferenceCurve;
-use ancf_mechanics::shells::ShellPlace;
 use nalgebra::Vector3;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

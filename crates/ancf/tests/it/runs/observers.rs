@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use ancf::mechanics::shells::ShellPlace;
+use ancf::mechanics::bodies::ShellPlace;
 use ancf::model::ScaleChoice;
 use ancf::record::Series;
 use ancf::solver::equations::State;

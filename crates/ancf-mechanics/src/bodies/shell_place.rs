@@ -1,6 +1,6 @@
 use nalgebra::Vector3;
 
-use super::mesh::SurfacePlace;
+use crate::shells::SurfacePlace;
 
 /// Place on a shell of either kind.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -167,10 +167,7 @@ impl<const V: usize, const S: usize, const C: usize> ShearElement<V, S, C> {
         if material != [0.0; 2] {
             let product = self.profile.state_stiffness(&state.strains, material) * state.gradients;
             let matrix = state.gradients.transpose() * product;
-            for j in 0..C {
-                let column = k.column_mut(j);
-                (j..C).for_each(|i| column[i - j] += matrix[(i, j)]);
-            }
+            k.add_lower(C, |i, j| matrix[(i, j)]);
         }
     }
 

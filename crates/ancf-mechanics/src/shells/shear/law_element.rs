@@ -36,10 +36,7 @@ impl<const V: usize, const S: usize, const C: usize> LawElement for ShearElement
         for point in 0..self.membrane_points() {
             let rows = gradients.fixed_rows::<3>(SURFACE * point);
             let matrix = rows.transpose() * (stiffness(point) * rows);
-            for j in 0..C {
-                let column = k.column_mut(j);
-                (j..C).for_each(|i| column[i - j] += matrix[(i, j)]);
-            }
+            k.add_lower(C, |i, j| matrix[(i, j)]);
         }
     }
 }

@@ -47,9 +47,6 @@ impl LawElement for Shell48 {
         let rows = self.state(q).membrane_rows(tables);
         let gradients = SMatrix::<f64, MEMBRANE, COORDINATES>::from_fn(|t, i| rows[t][i % 3].0[i / 3]);
         let matrix = gradients.transpose() * (sum * gradients);
-        for j in 0..COORDINATES {
-            let column = k.column_mut(j);
-            (j..COORDINATES).for_each(|i| column[i - j] += matrix[(i, j)]);
-        }
+        k.add_lower(COORDINATES, |i, j| matrix[(i, j)]);
     }
 }

@@ -70,6 +70,15 @@ impl<'a> LocalMatrix<'a> {
         &mut self.values[first..first + self.size - j]
     }
 
+    /// Adds the lower triangle of a matrix, stated by its entries (i, j), over the first `size` unknowns.
+    #[inline]
+    pub fn add_lower(&mut self, size: usize, entry: impl Fn(usize, usize) -> f64) {
+        for j in 0..size {
+            let column = self.column_mut(j);
+            (j..size).for_each(|i| column[i - j] += entry(i, j));
+        }
+    }
+
     /// Returns entry (i, j), i ≥ j.
     pub fn get(&self, i: usize, j: usize) -> f64 {
         self.values[self.at(i, j)]

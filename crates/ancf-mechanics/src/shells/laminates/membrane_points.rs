@@ -78,18 +78,17 @@ impl MembranePoints {
     ) -> Vector3<f64> {
         let (to_local, area) = &self.points[k];
         let [from, to, free] = [before, after, *prescribed].map(|strain| to_local * strain);
-        let state = |strain: Vector3<f64>| self.law.strained_state([&strain, &free]);
-        let [start, middle, end] = [from, (from + to) * 0.5, to].map(state);
-        let moved = to - from;
+        let (mean, moved) = ((from + to) * 0.5, to - from);
         if moved == Vector3::zeros() {
             return Vector3::zeros();
         }
+        let state = |strain: Vector3<f64>| self.law.strained_state([&strain, &free]);
+        let [start, middle, end] = [from, mean, to].map(state);
         let difference = end.energy - start.energy - middle.force.dot(&moved);
         let bound = ROUNDING
             * f64::EPSILON
             * (end.energy.abs() + start.energy.abs() + middle.force.norm() * moved.norm());
-        let [first, last] =
-            [-GAUSS, GAUSS].map(|place| state((from + to) * 0.5 + moved * (0.5 * place)).force);
+        let [first, last] = [-GAUSS, GAUSS].map(|place| state(mean + moved * (0.5 * place)).force);
         let integral = (first + last - middle.force * 2.0).dot(&moved) * WEIGHT;
         let missed = if (difference - integral).abs() <= bound { integral } else { difference };
         to_local.transpose() * moved * (missed / moved.norm_squared() * area)

@@ -16,5 +16,5 @@ pub use membrane_law::{MembraneEnergy, MembraneLaw, MembraneState};
 pub(crate) use membrane_points::MembranePoints;
 pub use place_formula::PlaceFormula;
 pub use section::{ShellSection, SurfaceMaterial};
-pub(crate) use section::{strain_transform, to_orthonormal};
+pub(crate) use section::{strain_components, strain_tensor, strain_transform, to_orthonormal};
 pub use thick_section::ThickSection;

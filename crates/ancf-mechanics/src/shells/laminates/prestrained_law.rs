@@ -1,7 +1,7 @@
 use nalgebra::{Matrix2, Matrix3, Vector3};
 
 use super::membrane_law::{MembraneEnergy, MembraneLaw, MembraneState};
-use super::section::strain_transform;
+use super::section::{strain_components, strain_tensor, strain_transform};
 
 /// Returns the symmetric tensor of stresses (11, 22, 12).
 const fn stress_tensor(n: &Vector3<f64>) -> Matrix2<f64> {
@@ -9,19 +9,9 @@ const fn stress_tensor(n: &Vector3<f64>) -> Matrix2<f64> {
     Matrix2::new(n11, n12, n12, n22)
 }
 
-/// Returns the symmetric tensor of strains (11, 22, 2·12).
-fn strain_tensor(e: &Vector3<f64>) -> Matrix2<f64> {
-    Matrix2::new(e.x, 0.5 * e.z, 0.5 * e.z, e.y)
-}
-
 /// Returns the components (11, 22, 12) of the symmetric part of a tensor.
 fn stress_components(n: &Matrix2<f64>) -> Vector3<f64> {
     Vector3::new(n.m11, n.m22, 0.5 * (n.m12 + n.m21))
-}
-
-/// Returns the components (11, 22, 2·12) of the symmetric part of a tensor.
-fn strain_components(e: &Matrix2<f64>) -> Vector3<f64> {
-    Vector3::new(e.m11, e.m22, e.m12 + e.m21)
 }
 
 /// Inverse G of a deformation F⁰ with F⁰ᵀ F⁰ = 1 + 2 ε⁰, from the reference shape to the free one. Both are upper triangles.

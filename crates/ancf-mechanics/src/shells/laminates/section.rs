@@ -1,4 +1,4 @@
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::{Matrix2, Matrix3, Vector3};
 
 use super::membrane_law::MembraneLaw;
 
@@ -99,6 +99,16 @@ pub(crate) fn to_orthonormal([t, s]: [&Vector3<f64>; 2], axis: &Vector3<f64>) ->
     let area = normal.norm();
     let (a1, a2) = (s.cross(&normal) / (area * area), normal.cross(t) / (area * area));
     strain_transform([[e1.dot(&a1), e1.dot(&a2)], [e2.dot(&a1), e2.dot(&a2)]])
+}
+
+/// Returns the symmetric tensor of strains (11, 22, 2·12).
+pub(crate) fn strain_tensor(e: &Vector3<f64>) -> Matrix2<f64> {
+    Matrix2::new(e.x, 0.5 * e.z, 0.5 * e.z, e.y)
+}
+
+/// Returns the components (11, 22, 2·12) of the symmetric part of a tensor.
+pub(crate) fn strain_components(e: &Matrix2<f64>) -> Vector3<f64> {
+    Vector3::new(e.m11, e.m22, e.m12 + e.m21)
 }
 
 /// Returns the matrix of the components (11, 22, 2·12) of strains for a change of basis with e_i = Σ c_iα a_α.

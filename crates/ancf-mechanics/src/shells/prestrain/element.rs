@@ -13,6 +13,13 @@ pub(crate) trait StrainedElement: Term + Clone {
     /// Adds a multiple of other strains.
     fn add(sum: &mut Self::Strains, factor: f64, other: &Self::Strains);
 
+    /// Returns a multiple of strains.
+    fn scaled(factor: f64, strains: &Self::Strains) -> Self::Strains {
+        let mut scaled = Self::zero();
+        Self::add(&mut scaled, factor, strains);
+        scaled
+    }
+
     /// Returns Σ σ ε.
     fn product(stress: &Self::Strains, strains: &Self::Strains) -> f64;
 

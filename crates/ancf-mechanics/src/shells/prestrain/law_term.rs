@@ -36,9 +36,7 @@ impl<'a, E: LawElement> Strained<'a, E> {
 
     /// Returns the linear stresses of a multiple of strains, with other forces at the points.
     fn stress(&self, factor: f64, strains: &E::Strains, force: impl Fn(usize) -> Vector3<f64>) -> E::Strains {
-        let mut scaled = E::zero();
-        E::add(&mut scaled, factor, strains);
-        let mut stress = self.element.stress_of(&scaled);
+        let mut stress = self.element.stress_of(&E::scaled(factor, strains));
         self.element.set_forces(&mut stress, &force);
         stress
     }
@@ -64,8 +62,9 @@ impl<'a, E: LawElement> Strained<'a, E> {
         self.at(k, |strains| self.law.stiffness_change(k, strains))
     }
 
-    fn points(&self) -> std::ops::Range<usize> {
-        0..self.element.membrane_points()
+    /// Returns the sum of a function over the points.
+    fn sum(&self, of: impl Fn(usize) -> f64) -> f64 {
+        (0..self.element.membrane_points()).map(of).sum()
     }
 }
 
@@ -83,18 +82,23 @@ impl<E: LawElement> LawPrestrain<E> {
         Strained::new(self.element(), self.element().strains_of(at.q), self.0.at(at))
     }
 
-    fn add_tangent(&self, q: &[f64], stress: &E::Strains, w: f64, k: &mut LocalMatrix<'_>) {
-        let mut scaled = E::zero();
-        E::add(&mut scaled, w, stress);
-        self.element().add_stiffness_of(q, &scaled, k);
+    /// Adds a multiple of the stiffness of stresses and of the change of the material stiffness.
+    fn add_tangent(
+        &self,
+        (q, strained): (&[f64], &Strained<'_, E>),
+        stress: &E::Strains,
+        w: f64,
+        k: &mut LocalMatrix<'_>,
+    ) {
+        self.element().add_stiffness_of(q, &E::scaled(w, stress), k);
+        self.element().add_membrane_stiffness(q, &|point| strained.stiffness_change(point) * w, k);
     }
 
     /// Computes the stresses of a step, whose work on the changes of the strains is the change of the energy at the prescribed strains
     /// of the middle.
     fn step_stress(&self, step: &LocalStep<'_>) -> E::Strains {
         let (ends, [of_before, of_after]) = (self.element().strains_of_ends(step), step.shares());
-        let mut total = E::zero();
-        E::add(&mut total, of_before, &ends[0]);
+        let mut total = E::scaled(of_before, &ends[0]);
         E::add(&mut total, of_after, &ends[1]);
         let strained = Strained::new(self.element(), total, self.0.at(&step.middle));
         let mut stress = strained.elastic();
@@ -133,8 +137,7 @@ impl<E: LawElement> Term for LawPrestrain<E> {
     fn tangent(&self, at: &Local<'_>, w: Weights, k: &mut LocalMatrix<'_>) {
         if w.q != 0.0 {
             let strained = self.strained(at);
-            self.add_tangent(at.q, &strained.with_damping(strained.elastic()), w.q, k);
-            self.element().add_membrane_stiffness(at.q, &|point| strained.stiffness_change(point) * w.q, k);
+            self.add_tangent((at.q, &strained), &strained.with_damping(strained.elastic()), w.q, k);
         }
     }
 
@@ -143,13 +146,8 @@ impl<E: LawElement> Term for LawPrestrain<E> {
     }
 
     fn average_tangent(&self, step: &LocalStep<'_>, w: Weights, k: &mut LocalMatrix<'_>) {
-        self.add_tangent(step.middle.q, &self.step_stress(step), w.q, k);
         let strained = self.strained(&step.middle);
-        self.element().add_membrane_stiffness(
-            step.middle.q,
-            &|point| strained.stiffness_change(point) * w.q,
-            k,
-        );
+        self.add_tangent((step.middle.q, &strained), &self.step_stress(step), w.q, k);
     }
 
     fn has_stress_prediction(&self) -> bool {
@@ -189,7 +187,7 @@ impl<E: LawElement> Term for LawPrestrain<E> {
         let stress = strained.stress(1.0, prescribed, |_| Vector3::zeros());
         let bending = 0.5 * E::product(&stress, prescribed) - E::product(&stress, &strained.total);
         let of = |k: usize| strained.at(k, |strains| strained.law.energy_change(k, strains));
-        Energy { strain: bending + strained.points().map(of).sum::<f64>(), ..Energy::default() }
+        Energy { strain: bending + strained.sum(of), ..Energy::default() }
     }
 
     /// Returns ε̇⁰ ∂W/∂ε⁰ + ε̇ τD ε̇⁰ of all points.
@@ -203,7 +201,7 @@ impl<E: LawElement> Term for LawPrestrain<E> {
             -force.dot(&self.element().membrane_at(rates, k))
         };
         let viscous = self.0.viscous_power(rates, &self.element().rates_of(at.q, at.v));
-        bending + strained.points().map(of).sum::<f64>() + viscous
+        bending + strained.sum(of) + viscous
     }
 
     fn is_damped(&self) -> bool {

@@ -1,8 +1,8 @@
-use nalgebra::{Matrix2, Matrix3, SMatrix, SVector, Vector3};
+use nalgebra::{Matrix3, SMatrix, SVector, Vector3};
 use smallvec::SmallVec;
 
 use crate::functions::Function;
-use crate::shells::laminates::{ShellSection, to_orthonormal};
+use crate::shells::laminates::{ShellSection, strain_components, strain_tensor, to_orthonormal};
 
 /// Stress-free change of shape of a shell: a membrane strain ε⁰, a curvature κ⁰, or the strains of a membrane force.
 ///
@@ -63,11 +63,6 @@ pub(super) fn each_part(
     }
 }
 
-/// Returns the tensor of components (11, 22, 2·12).
-fn tensor(strain: &Vector3<f64>) -> Matrix2<f64> {
-    Matrix2::new(strain.x, 0.5 * strain.z, 0.5 * strain.z, strain.y)
-}
-
 impl SurfacePrestrain {
     /// Returns true if it acts on an element.
     pub(crate) fn covers(&self, element: usize) -> bool {
@@ -100,7 +95,7 @@ impl SurfacePrestrain {
     /// Returns Green's strain ½ (ε⁰_a ε⁰_b + ε⁰_b ε⁰_a) of the elongations of two sources, half of it for equal sources.
     fn quadratic(&self, other: Option<&Self>, law: &SurfaceLaw, tangents: [&Vector3<f64>; 2]) -> Covariant {
         let own = self.to_orthonormal(law, tangents);
-        let mut strain = tensor(&self.strain);
+        let mut strain = strain_tensor(&self.strain);
         strain = match other {
             None => strain * strain * 0.5,
             Some(other) => {
@@ -109,13 +104,12 @@ impl SurfacePrestrain {
                         .to_orthonormal(law, tangents)
                         .try_inverse()
                         .unwrap_or_else(|| Matrix3::repeat(f64::NAN));
-                let second = tensor(&(turned * other.strain));
+                let second = strain_tensor(&(turned * other.strain));
                 (strain * second + second * strain) * 0.5
             }
         };
-        let components = Vector3::new(strain[(0, 0)], strain[(1, 1)], 2.0 * strain[(0, 1)]);
         let from_local = own.try_inverse().unwrap_or_else(|| Matrix3::repeat(f64::NAN));
-        [from_local * components, Vector3::zeros()]
+        [from_local * strain_components(&strain), Vector3::zeros()]
     }
 }
 

@@ -21,8 +21,7 @@ impl<E: StrainedElement> ShellPrestrain<E> {
     /// Returns the stresses −D ε⁰ − τD ε̇⁰.
     fn stress(&self, at: &Local<'_>) -> E::Strains {
         let Prescribed { strains, rates } = self.0.at(at);
-        let mut sum = E::zero();
-        E::add(&mut sum, -1.0, &strains);
+        let mut sum = E::scaled(-1.0, &strains);
         E::add(&mut sum, -self.element().retardation(), &rates);
         self.element().stress_of(&sum)
     }
@@ -43,9 +42,7 @@ impl<E: StrainedElement> Term for ShellPrestrain<E> {
 
     fn tangent(&self, at: &Local<'_>, w: Weights, k: &mut LocalMatrix<'_>) {
         if w.q != 0.0 {
-            let mut scaled = E::zero();
-            E::add(&mut scaled, w.q, &self.stress(at));
-            self.element().add_stiffness_of(at.q, &scaled, k);
+            self.element().add_stiffness_of(at.q, &E::scaled(w.q, &self.stress(at)), k);
         }
     }
 
@@ -55,15 +52,13 @@ impl<E: StrainedElement> Term for ShellPrestrain<E> {
     }
 
     fn average_tangent(&self, step: &LocalStep<'_>, w: Weights, k: &mut LocalMatrix<'_>) {
-        let mut scaled = E::zero();
-        E::add(&mut scaled, w.q, &self.element().exact_work(self.stress(&step.middle), step));
-        self.element().add_stiffness_of(step.middle.q, &scaled, k);
+        let stress = self.element().exact_work(self.stress(&step.middle), step);
+        self.element().add_stiffness_of(step.middle.q, &E::scaled(w.q, &stress), k);
     }
 
     /// First-order response of the prescribed strains to the increment of the load factor.
     fn stress_stiffness(&self, at: &Local<'_>, by: &Local<'_>, k: &mut LocalMatrix<'_>) {
-        let mut rates = E::zero();
-        E::add(&mut rates, -1.0, &self.0.response(at, by).rates);
+        let rates = E::scaled(-1.0, &self.0.response(at, by).rates);
         self.element().add_stiffness_of(at.q, &self.element().stress_of(&rates), k);
     }
 

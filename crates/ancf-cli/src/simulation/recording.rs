@@ -123,6 +123,10 @@ fn hint_on_errors(model: &Model, summary: &Summary) -> Option<&'static str> {
         true if can_refine(&model.analysis) => Some(
             "errors: not estimated for shells; `--errors` states those of the mesh by a second solution with four times the elements",
         ),
+        true if is_motion && model.starts_from().is_none() => Some(
+            "errors: not estimated; `--errors` states those of the time steps, and those of the mesh by a second motion with four times the \
+             elements",
+        ),
         true => Some("errors: not estimated for shells; compare with a finer mesh"),
         false if is_motion && summary.initial.is_none() => {
             Some("errors: not estimated; `--errors` states those of the time steps and of the mesh")

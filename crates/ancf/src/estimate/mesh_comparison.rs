@@ -84,6 +84,40 @@ impl<'a> MeshComparison<'a> {
         self.without_values(class, Some(elements), convergence.irregular.clone())
     }
 
+    /// Errors of the values in a state, from that on the finer mesh.
+    fn values(
+        &self,
+        given: &State,
+        (finer, fine): (&HalvedModel, &State),
+        convergence: &Convergence,
+    ) -> Vec<ValueError> {
+        let coarse = RecordedValues::new(self.assembly, given, self.scales);
+        let changes = RecordedValues::new(&finer.assembly, fine, self.scales).changes_from(&coarse);
+        let error = |ValueChange { column, value, change, is_derivative }: ValueChange| {
+            let order = convergence.order;
+            let order = if is_derivative { (order - DERIVATIVES).max(LOWEST) } else { order };
+            ValueError { column, value, error: change * extrapolation(order) }
+        };
+        changes.into_iter().map(error).collect()
+    }
+
+    /// Errors of the values in a state of a motion, from that on the finer mesh, and the description of this mesh.
+    ///
+    /// # Errors
+    /// The reason for which a second solution does not state the error.
+    pub(crate) fn motion(
+        &self,
+        given: &State,
+        finer: &HalvedModel,
+        fine: &State,
+    ) -> Result<(Vec<ValueError>, FinerMesh), String> {
+        let convergence = self.convergence.as_ref().map_err(String::clone)?;
+        let values = self.values(given, (finer, fine), convergence);
+        let elements = Some(finer.elements());
+        let reason = convergence.irregular.clone();
+        Ok((values, FinerMesh { elements, order: Some(convergence.order), reason }))
+    }
+
     /// Errors of the values in an equilibrium, from that on the finer mesh.
     pub(crate) fn equilibrium(
         &self,
@@ -95,14 +129,7 @@ impl<'a> MeshComparison<'a> {
             Ok(convergence) => convergence,
             Err(reason) => return self.unknown(reason),
         };
-        let coarse = RecordedValues::new(self.assembly, given, self.scales);
-        let changes = RecordedValues::new(&finer.assembly, fine, self.scales).changes_from(&coarse);
-        let error = |ValueChange { column, value, change, is_derivative }: ValueChange| {
-            let order = convergence.order;
-            let order = if is_derivative { (order - DERIVATIVES).max(LOWEST) } else { order };
-            ValueError { column, value, error: change * extrapolation(order) }
-        };
-        let values: Vec<_> = changes.into_iter().map(error).collect();
+        let values = self.values(given, (finer, fine), convergence);
         let [worst, main] = self.displacements(given, &values);
         if let Some(main) = main.filter(|main| main.relative > UNRESOLVED || main.relative.is_nan()) {
             let change = main.relative / extrapolation(convergence.order);

@@ -26,7 +26,7 @@ pub use body_errors::BodyError;
 pub use discretisation_errors::{DiscretisationErrors, EigenvalueError, Resolution};
 pub(crate) use factor_errors::FactorErrors;
 pub use finer::FinerMesh;
-pub(crate) use finer::HalvedModel;
+pub(crate) use finer::{GIVEN_START, HalvedModel};
 pub(crate) use frequency_errors::FrequencyErrors;
 pub(crate) use gap_field::GapField;
 pub(crate) use mesh_comparison::MeshComparison;

@@ -6,6 +6,7 @@ use ancf_solver::equations::{State, Term};
 use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
 
+use super::finer::surface_values;
 use super::gap_field::{BodyGaps, GapField};
 use super::movement::{moved, sizes_of};
 use crate::assembly::{Assembly, RecordedQuantity};
@@ -187,12 +188,21 @@ impl<'a> ValueErrors<'a> {
                 Some((0..4).map(value).collect())
             }
             Quantity::SectionForces => self.of_section_forces(probe, gap),
-            Quantity::Strain
-            | Quantity::Stress
-            | Quantity::InertialSensor
-            | Quantity::Resultants
-            | Quantity::SurfaceStress => None,
+            Quantity::Resultants | Quantity::SurfaceStress => self.of_surface(probe),
+            Quantity::Strain | Quantity::Stress | Quantity::InertialSensor => None,
         }
+    }
+
+    fn of_surface(&self, probe: &RecordedQuantity) -> Option<Vec<ValueError>> {
+        let values = |state| surface_values(self.assembly, probe, state, self.scales);
+        let ((names, now), [before, after]) = (values(self.state)?, self.states.each_ref().map(values));
+        let (changes, now) = (after?.1.into_iter().zip(before?.1), names.iter().zip(now));
+        let error = |((name, value), (after, before)): ((&&str, f64), (f64, f64))| ValueError {
+            column: format!("{}.{name}", probe.name),
+            value,
+            error: (after - before) / (2.0 * self.h),
+        };
+        Some(now.zip(changes).map(error).collect())
     }
 
     fn of_section_forces(&self, probe: &RecordedQuantity, gap: &RodGap) -> Option<Vec<ValueError>> {

@@ -8,10 +8,9 @@ use ancf_solver::newton::SolveError;
 
 use super::error::Error;
 use super::run::{
-    AnalysisRun, Checkpoint, EndConditions, ResumeError, RunResult, Simulation, StepControl, Summary,
-    fingerprint, turn_warning,
+    AnalysisRun, Checkpoint, EndConditions, ErrorEstimate, ResumeError, RunResult, Simulation, StepControl,
+    Summary, fingerprint, turn_warning,
 };
-use crate::estimate::MotionEstimate;
 use crate::failure::{AlternationMonitor, RotationMonitor, RunFailure, StabilityMonitor, find_cause};
 use crate::initial::{InitialState, StartState};
 use crate::model::Dynamics;
@@ -35,7 +34,7 @@ pub(crate) struct DynamicRun<'a> {
     /// State before the projection of its velocities.
     initial: InitialState,
     /// Estimate of the errors, on request.
-    estimate: Option<MotionEstimate<'a>>,
+    estimate: Option<ErrorEstimate<'a>>,
     /// Computed with the first checkpoint.
     fingerprint: OnceCell<u64>,
 }
@@ -54,9 +53,8 @@ impl<'a> DynamicRun<'a> {
         rows.count_turns(start.t, start, AngleRates::Velocities);
         let rotations = RotationMonitor::new(scaled, assembly);
         let alternations = AlternationMonitor::new(scaled, control.dynamics().state().a.len());
-        let scales = simulation.scales();
-        let mut estimate = scaled.output.errors.then(|| MotionEstimate::new(scaled, assembly, scales));
-        update(&mut estimate, &mut control, &mut rows);
+        let mut estimate = ErrorEstimate::new(simulation, settings, &initial);
+        estimate.iter_mut().for_each(|estimate| estimate.update(&mut control, &mut rows));
         let fingerprint = OnceCell::new();
         let conditions = EndConditions::new(&settings.until, &simulation.columns());
         Ok(Self {
@@ -82,15 +80,6 @@ impl<'a> DynamicRun<'a> {
             &self.initial,
             &self.control,
         )
-    }
-}
-
-/// Estimates the errors of the current state.
-fn update(estimate: &mut Option<MotionEstimate<'_>>, control: &mut StepControl<'_>, rows: &mut Rows) {
-    let Some(estimate) = estimate else { return };
-    let is_recorded = control.due_report().is_some();
-    if let Some(errors) = estimate.advance(control.dynamics_mut(), is_recorded) {
-        rows.set_errors(errors.iter().map(|value| (value.column.as_str(), value.error)));
     }
 }
 
@@ -227,11 +216,12 @@ impl<'a> AnalysisRun<'a> {
                 rows.count_turns(s.t, s, AngleRates::Velocities);
                 rotations.examine(s);
                 alternations.examine(s);
+                estimate.iter_mut().for_each(|estimate| estimate.follow(s));
             };
             let advanced = control.advance(accepted, |step| summary.count(step));
             summary.time = control.dynamics().state().t;
             match advanced {
-                Ok(true) => update(estimate, control, rows),
+                Ok(true) => estimate.iter_mut().for_each(|estimate| estimate.update(control, rows)),
                 Ok(false) => return Ok(Ok(ControlFlow::Continue(()))),
                 Err(error) => {
                     let s = control.dynamics().state();

@@ -5,10 +5,10 @@ use ancf_solver::equations::State;
 use ancf_solver::newton::Newton;
 use ancf_solver::statics::{ArcLengthSteps, EndConditions, Equilibrium, LimitPoint, PathPoint, Response};
 
-use super::finer_equilibria::{FinerEquilibria, halved_model};
+use super::finer_equilibria::FinerEquilibria;
 use super::run::{AnalysisRun, RunResult, turn_warning};
 use crate::assembly::Assembly;
-use crate::estimate::{DiscretisationErrors, GapField};
+use crate::estimate::{DiscretisationErrors, GapField, HalvedModel};
 use crate::failure::{RunFailure, require_support, unloaded};
 use crate::initial::{StartState, StaticStart, TurnCounter, equilibrium_failure, load_stepper};
 use crate::model::{Model, Path, Statics};
@@ -93,7 +93,7 @@ impl AnalysisRun<'_> {
             return conclude(written?, false, Ok::<_, RunFailure>(()));
         }
         let (scales, start) = (self.summary.scales, (settings, given.is_some()));
-        let halved = halved_model(model);
+        let halved = HalvedModel::requested(model);
         let new = |halved| FinerEquilibria::new((model, assembly, scales), halved, start, self.interrupt);
         let mut finer = halved.as_ref().map(new);
         let ended = statics.advance_with(settings.load, |s, found, response| {

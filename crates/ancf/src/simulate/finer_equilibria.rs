@@ -6,7 +6,7 @@ use ancf_solver::statics::LoadStepper;
 
 use super::run::finer_failure;
 use crate::assembly::Assembly;
-use crate::estimate::{DiscretisationErrors, HalvedModel, MeshComparison};
+use crate::estimate::{DiscretisationErrors, GIVEN_START, HalvedModel, MeshComparison};
 use crate::failure::{RunFailure, require_support, unloaded};
 use crate::initial::{equilibrium_failure, load_stepper};
 use crate::model::{Model, Statics};
@@ -25,11 +25,6 @@ struct FinerStatics<'a> {
     statics: LoadStepper<'a, System>,
 }
 
-/// Creates the finer model of one with shells in solver units, if its errors are to be estimated.
-pub(super) fn halved_model(model: &Model) -> Option<Result<HalvedModel, String>> {
-    (model.output.errors && model.has_shells()).then(|| HalvedModel::new(model))
-}
-
 impl<'a> FinerEquilibria<'a> {
     /// Starts in the undeformed state. `is_given` is true if the analysis starts in another state.
     pub(super) fn new(
@@ -41,9 +36,7 @@ impl<'a> FinerEquilibria<'a> {
         let comparison = MeshComparison::new(model, assembly, scales);
         let finer = match (comparison.obstacle(), halved) {
             (Some(reason), _) => Err(reason.to_owned()),
-            _ if is_given => {
-                Err("the analysis starts in a given state, which a finer mesh does not have".into())
-            }
+            _ if is_given => Err(GIVEN_START.into()),
             (None, Err(reason)) => Err(reason.clone()),
             (None, Ok(halved)) => FinerStatics::new(halved, scales, settings, interrupt),
         };

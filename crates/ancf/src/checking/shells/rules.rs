@@ -71,15 +71,14 @@ fn rule_of_membrane(
     Some(finding(format!("{path}.membrane"), found, expected).rests_on([owner]))
 }
 
-/// Checks that errors of meshes with shells are estimated in statics, undamped modes and buckling only.
+/// Checks that errors of modes with shells are estimated without damping only.
 fn rule_of_errors(model: &IndexedModel<'_>) -> Option<Finding> {
     let found = match &model.analysis {
         _ if !model.output.errors => return None,
-        Analysis::Dynamics(_) => "true for a motion with a shell",
         Analysis::Modes(Modes { damped: true, .. }) => "true for damped modes with a shell",
         _ => return None,
     };
-    let expected = "false: with shells, errors are estimated in statics, undamped modes and buckling; compare with a finer mesh";
+    let expected = "false: with shells, errors are estimated in statics, motions, undamped modes and buckling; compare with a finer mesh";
     Some(finding("output.errors".into(), found, expected).rests_on(["analysis".into(), "bodies".into()]))
 }
 

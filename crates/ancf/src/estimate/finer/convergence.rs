@@ -7,6 +7,9 @@ const CONCENTRATED: f64 = 2.0;
 /// Lower bound of the order for values that do not converge regularly.
 const IRREGULAR: f64 = 1.0;
 
+/// Reason for which an analysis from a given state has no second solution.
+pub(crate) const GIVEN_START: &str = "the analysis starts in a given state, which a finer mesh does not have";
+
 /// Order of convergence of the values of a model by the size of its elements.
 #[derive(Clone, Debug, PartialEq)]
 pub(in crate::estimate) struct Convergence {
@@ -28,7 +31,7 @@ impl Convergence {
             ));
         }
         if matches!(model.initial.from, Origin::Folder(_)) {
-            return Err("the analysis starts in a given state, which a finer mesh does not have".into());
+            return Err(GIVEN_START.into());
         }
         let flexible = model.bodies.iter().filter(|body| body.elements() > 0);
         let order = flexible.map(Body::convergence_order).fold(f64::INFINITY, f64::min);

@@ -5,13 +5,13 @@ use serde::{Deserialize, Serialize};
 pub struct FinerMesh {
     /// Number of elements of all bodies on the finer mesh: four for each of a shell, two for each of a beam. `None` without a second
     /// solution.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default)]
     pub elements: Option<usize>,
     /// Order of convergence p: error = change · 2^p/(2^p − 1). `None` if it is not known.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default)]
     pub order: Option<f64>,
     /// Reason for which the error is an order of magnitude or not known.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default)]
     pub reason: Option<String>,
 }
 

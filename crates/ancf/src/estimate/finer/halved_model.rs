@@ -11,12 +11,18 @@ pub(crate) struct HalvedModel {
 }
 
 impl HalvedModel {
+    /// Creates the finer model of one with shells in solver units, if its errors are to be estimated.
+    pub(crate) fn requested(model: &Model) -> Option<Result<Self, String>> {
+        (model.output.errors && model.has_shells()).then(|| Self::new(model))
+    }
+
     /// Creates the model from one in solver units.
     ///
     /// # Errors
     /// A description of the first error of the finer model, such as too little memory.
     pub(crate) fn new(model: &Model) -> Result<Self, String> {
-        let model = halved(model);
+        let mut model = halved(model);
+        model.output.errors = false;
         match model.assemble_scaled() {
             Ok(assembly) => Ok(Self { model, assembly }),
             Err(errors) => Err(errors.0.first().map_or_else(String::new, invalid)),

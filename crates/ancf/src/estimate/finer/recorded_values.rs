@@ -138,21 +138,28 @@ impl<'a> RecordedValues<'a> {
 
     /// Adds the section forces per length or the stresses of a shell.
     fn push_surface(&mut self, probe: &RecordedQuantity) {
-        let Self { assembly, state, scales, .. } = *self;
-        let body = assembly.body_of(probe.body);
-        let Some(found) = probe.surface.and_then(|at| body.surface_stress(state, at)) else { return };
-        let stress = scales.unit(Dimension::STRESS);
-        let (names, values): (&[&str], Vec<f64>) = if probe.quantity == Quantity::Resultants {
-            let [force, moment] = [Dimension::FORCE_PER_LENGTH, Dimension::FORCE].map(|of| scales.unit(of));
-            let values = found.force.iter().map(|n| n * force).chain(found.moment.iter().map(|m| m * moment));
-            (&RESULTANTS, values.collect())
-        } else {
-            let layers = found.layers.iter().flat_map(|layer| layer.iter().copied());
-            (&SURFACE_STRESS, layers.chain([found.largest_von_mises()]).map(|x| x * stress).collect())
+        let Some((names, values)) = surface_values(self.assembly, probe, self.state, self.scales) else {
+            return;
         };
-        names
-            .iter()
-            .zip(values)
-            .for_each(|(name, value)| self.push(&probe.name, name, value, Kind::Derivative));
+        let named = names.iter().zip(values);
+        named.for_each(|(name, value)| self.push(&probe.name, name, value, Kind::Derivative));
     }
+}
+
+/// Names and values of the section forces per length or the stresses of a shell at a probe, in the user's units.
+pub(in crate::estimate) fn surface_values(
+    assembly: &Assembly,
+    probe: &RecordedQuantity,
+    state: &State,
+    scales: Scales,
+) -> Option<(&'static [&'static str], Vec<f64>)> {
+    let found = assembly.body_of(probe.body).surface_stress(state, probe.surface?)?;
+    if probe.quantity == Quantity::Resultants {
+        let [force, moment] = [Dimension::FORCE_PER_LENGTH, Dimension::FORCE].map(|of| scales.unit(of));
+        let values = found.force.iter().map(|n| n * force).chain(found.moment.iter().map(|m| m * moment));
+        return Some((&RESULTANTS, values.collect()));
+    }
+    let stress = scales.unit(Dimension::STRESS);
+    let layers = found.layers.iter().flat_map(|layer| layer.iter().copied());
+    Some((&SURFACE_STRESS, layers.chain([found.largest_von_mises()]).map(|x| x * stress).collect()))
 }

@@ -1,5 +1,6 @@
 use serde::{Deserialize, Serialize};
 
+use super::super::finer::FinerMesh;
 use super::super::value_errors::ValueError;
 use crate::errors::percentage;
 
@@ -9,20 +10,24 @@ const LARGE: f64 = 0.1;
 /// Estimated errors of a motion, in the user's units.
 ///
 /// The errors of the time steps are relative to exact integration of the same mesh. The errors of the mesh are relative to Reissner's
-/// and Simo's rod from the same start. `None` means not known.
+/// and Simo's rod from the same start. In models with shells they follow from a second motion on a finer mesh.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct MotionErrors {
     /// Errors of the probes that record a motion.
     pub probes: Vec<ProbeErrors>,
     /// False if the equations of the errors had no solution.
     pub are_steps_known: bool,
-    /// False if joints act between the nodes of elements, or the tension of a taut element vanished at an end.
+    /// False if joints act between the nodes of elements, the tension of a taut element vanished at an end, or the second motion of a
+    /// model with shells failed.
     pub is_mesh_known: bool,
     /// True if the errors of the mesh are orders of magnitude: loads within elements are not known in detail, elements are strongly
-    /// curved, or taut elements are neither rods nor strings.
+    /// curved, taut elements are neither rods nor strings, or shells do not converge regularly.
     pub is_rough: bool,
     /// Bound of the relative difference between the rod and the strains of the elements.
     pub law: f64,
+    /// Second motion of a model with shells.
+    #[serde(default)]
+    pub finer: Option<FinerMesh>,
     /// Sum of both errors in the last recorded state. Empty if one of them is not known.
     pub values: Vec<ValueError>,
 }
@@ -69,12 +74,15 @@ impl MotionErrors {
             true if is_rough || error > LARGE => format!("about {}", percentage(error)),
             true => percentage(error),
         };
+        let ending = match &self.finer {
+            Some(finer) => finer.ending(true),
+            None => format!("; section law within {}", percentage(self.law)),
+        };
         format!(
-            "errors of `{}`, relative to its largest displacement: time steps {}, mesh {}; section law within {}",
+            "errors of `{}`, relative to its largest displacement: time steps {}, mesh {}{ending}",
             probe.probe,
             part(self.are_steps_known, false, steps),
             part(self.is_mesh_known, self.is_rough, mesh),
-            percentage(self.law)
         )
     }
 }

@@ -3,6 +3,7 @@ use ancf_solver::equations::{State, System};
 use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
 
+use super::super::finer::FinerMesh;
 use super::super::gap_field::GapField;
 use super::super::movement::coordinate_sizes;
 use super::super::value_errors::{ValueError, ValueErrors};
@@ -11,7 +12,7 @@ use crate::assembly::Assembly;
 use crate::model::{Model, Quantity};
 use crate::units::{Dimension, Scales};
 
-/// Estimate of the errors of a motion: the forces of the gaps cause the errors of the mesh.
+/// Estimate of the errors of a motion. The forces of the gaps cause those of the mesh, or they follow from a motion on a finer mesh.
 pub(crate) struct MotionEstimate<'a> {
     model: &'a Model,
     assembly: &'a Assembly,
@@ -64,6 +65,7 @@ impl<'a> MotionEstimate<'a> {
             is_mesh_known: true,
             is_rough: false,
             law: 0.0,
+            finer: None,
             values: Vec::new(),
         };
         let sizes = coordinate_sizes(model, assembly);
@@ -143,16 +145,40 @@ impl<'a> MotionEstimate<'a> {
 
     /// Evaluates the errors of all columns and the largest errors of the probes.
     fn evaluate(&mut self, dynamics: &TimeStepper<'_, System>, field: &GapField<'_>) {
+        let place = (self.assembly, dynamics.state(), field.contacts.as_slice());
+        let found = dynamics.errors().and_then(|found| found.of_mesh());
+        let of_mesh = found.filter(|_| self.history.errors.is_mesh_known);
+        let of_mesh =
+            of_mesh.map(|error| ValueErrors::in_motion(place, Some(field), error, self.scales).evaluate().0);
+        self.record(dynamics, of_mesh);
+    }
+
+    /// Evaluates the errors of the current state, with those of the mesh by a motion on a finer one, or a reason for which they are
+    /// not known.
+    ///
+    /// Returns the errors of the columns.
+    pub(crate) fn compare(
+        &mut self,
+        dynamics: &TimeStepper<'_, System>,
+        of_mesh: Result<(Vec<ValueError>, FinerMesh), String>,
+    ) -> &[ValueError] {
+        let unknown = |reason| (None, FinerMesh { elements: None, order: None, reason: Some(reason) });
+        let (values, finer) = of_mesh.map_or_else(unknown, |(values, finer)| (Some(values), finer));
+        self.history.errors.is_rough |= values.is_some() && finer.reason.is_some();
+        self.history.errors.finer = Some(finer);
+        self.record(dynamics, values);
+        &self.history.errors.values
+    }
+
+    /// Records the errors of all columns and the largest errors of the probes.
+    fn record(&mut self, dynamics: &TimeStepper<'_, System>, of_mesh: Option<Vec<ValueError>>) {
         let errors = &mut self.history.errors;
         let state = dynamics.state();
-        let place = (self.assembly, state, field.contacts.as_slice());
-        let values = |gaps: Option<&GapField<'_>>, error: &State| {
-            ValueErrors::in_motion(place, gaps, error, self.scales).evaluate().0
-        };
-        let found = dynamics.errors();
-        let of_steps = found.and_then(|found| found.of_steps()).map(|error| values(None, error));
-        let of_mesh = found.and_then(|found| found.of_mesh()).filter(|_| errors.is_mesh_known);
-        let of_mesh = of_mesh.map(|error| values(Some(field), error));
+        let contacts = self.assembly.contact_terms(state);
+        let place = (self.assembly, state, contacts.as_slice());
+        let of_steps = dynamics.errors().and_then(|found| found.of_steps());
+        let of_steps =
+            of_steps.map(|error| ValueErrors::in_motion(place, None, error, self.scales).evaluate().0);
         errors.are_steps_known &= of_steps.is_some();
         errors.is_mesh_known &= of_mesh.is_some() || !has_mesh(self.assembly);
         let length = self.scales.unit(Dimension::LENGTH);

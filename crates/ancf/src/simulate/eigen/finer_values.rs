@@ -2,9 +2,6 @@ use crate::estimate::{HalvedModel, MeshComparison};
 use crate::model::Model;
 use crate::simulate::run::AnalysisRun;
 
-/// Start of an analysis for which no second solution exists.
-pub(super) const GIVEN_START: &str = "the analysis starts in a given state, which a finer mesh does not have";
-
 impl AnalysisRun<'_> {
     /// Estimates the errors of eigenvalues of a model with shells on request. Returns them relative to the eigenvalues, NaN if they are
     /// not known.

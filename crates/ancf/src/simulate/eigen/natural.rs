@@ -2,10 +2,9 @@ use ancf_solver::eigen::{ComplexMode, EigenError, Mode, SturmCount, modes, nonco
 use ancf_solver::equations::{EquationsOfMotion, State};
 use ancf_solver::newton::Interrupt;
 
-use super::finer_values::GIVEN_START;
 use super::shapes::{MAX_RESIDUAL, MODE_COLUMNS, state_about};
 use crate::assembly::Assembly;
-use crate::estimate::{DiscretisationErrors, FrequencyErrors, GapField, HalvedModel};
+use crate::estimate::{DiscretisationErrors, FrequencyErrors, GIVEN_START, GapField, HalvedModel};
 use crate::failure::RunFailure;
 use crate::initial::StartState;
 use crate::model::{Model, Modes};

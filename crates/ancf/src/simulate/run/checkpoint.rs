@@ -4,10 +4,10 @@ use ancf_solver::equations::EquationsOfMotion;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
+use super::error_estimate::{ErrorEstimate, ErrorEstimateCheckpoint};
 use super::simulation::Simulation;
 use super::step_control::{MAX_COUNT, StepControl, StepControlCheckpoint};
 use super::summary::Summary;
-use crate::estimate::{EstimateHistory, MotionEstimate};
 use crate::failure::{
     AlternationHistory, AlternationMonitor, RotationHistory, RotationMonitor, StabilityMonitor,
 };
@@ -18,7 +18,8 @@ use crate::results::{RowHistory, Rows};
 /// State of a dynamic analysis, from which [`Simulation::resume`] continues with bit-identical results.
 ///
 /// A checkpoint requires a format that stores numbers exactly, such as a binary one. For n coordinates and m multipliers it has
-/// about 8 (7n + 2m) bytes, with estimated errors five times as many. Reused tangents add 8 (3n + m), error control adds 8 (n + m), a start
+/// about 8 (7n + 2m) bytes, with estimated errors five times as many, and those of models with shells also those of the finer
+/// mesh. Reused tangents add 8 (3n + m), error control adds 8 (n + m), a start
 /// in another state than the undeformed one 8 (3n + m), and each active contact pair a few.
 ///
 /// A checkpoint is valid for the same model and the same version of this library. External functions must be the same and must
@@ -33,7 +34,7 @@ pub struct Checkpoint {
     rows: RowHistory,
     /// State from which the motion started, unless it is the undeformed state. The initialisation is repeated with it.
     initial: Option<InitialState>,
-    estimate: Option<EstimateHistory>,
+    estimate: Option<ErrorEstimateCheckpoint>,
     monitor: StabilityMonitor,
     rotations: RotationHistory,
     alternations: AlternationHistory,
@@ -76,7 +77,7 @@ pub enum ResumeError {
 }
 
 /// Version of the format and of the algorithm.
-const VERSION: u32 = 7;
+const VERSION: u32 = 8;
 
 impl Checkpoint {
     /// Number of rows recorded before the checkpoint. The next row has this number, counted from 0.
@@ -99,7 +100,7 @@ impl Checkpoint {
         model: u64,
         summary: &Summary,
         (monitor, rotations, alternations): (&StabilityMonitor, &RotationMonitor, &AlternationMonitor),
-        (rows, estimate): (&Rows, Option<&MotionEstimate<'_>>),
+        (rows, estimate): (&Rows, Option<&ErrorEstimate<'_>>),
         initial: &InitialState,
         control: &StepControl<'_>,
     ) -> Self {
@@ -107,7 +108,7 @@ impl Checkpoint {
         let time = control.time() * summary.scales.time;
         let (rows, monitor, rotations) = (rows.history(), monitor.clone(), rotations.history().clone());
         let alternations = alternations.history().clone();
-        let estimate = estimate.map(|estimate| estimate.history().clone());
+        let estimate = estimate.map(ErrorEstimate::checkpoint);
         Self {
             version: VERSION,
             model,
@@ -158,11 +159,11 @@ impl Checkpoint {
             &mut RotationMonitor,
             &mut AlternationMonitor,
         ),
-        (rows, estimate): (&mut Rows, Option<&mut MotionEstimate<'_>>),
+        (rows, estimate): (&mut Rows, Option<&mut ErrorEstimate<'_>>),
         control: &mut StepControl<'_>,
     ) -> Result<(), ResumeError> {
         let is_estimate_restored = match (estimate, &self.estimate) {
-            (Some(estimate), Some(history)) => estimate.restore(history),
+            (Some(estimate), Some(checkpoint)) => estimate.restore(checkpoint),
             (None, None) => true,
             _ => false,
         };

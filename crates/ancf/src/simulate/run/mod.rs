@@ -3,6 +3,8 @@
 mod analysis_run;
 mod checkpoint;
 mod end_conditions;
+mod error_estimate;
+mod finer_motion;
 mod observer;
 mod outcome;
 mod simulation;
@@ -13,6 +15,7 @@ pub(crate) use analysis_run::{AnalysisRun, RunResult, turn_warning};
 pub use checkpoint::{Checkpoint, ResumeError};
 pub(crate) use checkpoint::{StepCounts, fingerprint, hash_of};
 pub(crate) use end_conditions::EndConditions;
+pub(crate) use error_estimate::ErrorEstimate;
 pub use observer::Observer;
 pub(crate) use outcome::{finer_failure, outcome};
 pub use simulation::{Extension, Simulation, SimulationBuilder};

@@ -1,3 +1,5 @@
+use std::sync::OnceLock;
+
 use ancf_mechanics::functions::InputSignal;
 use ancf_solver::equations::State;
 use ancf_solver::newton::Interrupt;
@@ -6,6 +8,7 @@ use super::end_conditions::unknown_values;
 use crate::assembly::Assembly;
 use crate::diagnosis::model_warnings;
 use crate::errors::{ModelError, ModelErrors, quoted};
+use crate::estimate::HalvedModel;
 use crate::initial::{GivenState, StartState};
 use crate::joints::{CustomJoint, Joint, JointKind};
 use crate::loads::{CustomLoad, Load, LoadKind};
@@ -23,6 +26,8 @@ pub struct Simulation {
     pub(crate) interrupt: Interrupt,
     /// Warnings that follow from the model.
     pub(crate) warnings: Vec<String>,
+    /// Finer model, by which the errors of a motion with shells are estimated.
+    halved: OnceLock<Option<Result<HalvedModel, String>>>,
 }
 
 impl Simulation {
@@ -42,7 +47,8 @@ impl Simulation {
         }
         let (interrupt, mut warnings) = (Interrupt::default(), assembly.undetermined_friction());
         warnings.extend(model_warnings(model));
-        let simulation = Self { scaled, chosen, assembly, inputs, interrupt, warnings };
+        let halved = OnceLock::new();
+        let simulation = Self { scaled, chosen, assembly, inputs, interrupt, warnings, halved };
         let unknown = unknown_values(model, &simulation.columns());
         if unknown.is_empty() { Ok(simulation) } else { Err(ModelErrors(unknown)) }
     }
@@ -71,6 +77,12 @@ impl Simulation {
     pub fn start_from(&self, given: &GivenState) -> Result<StartState, ModelErrors> {
         let state = given.state(&self.assembly, self.scales())?;
         Ok(StartState { state, source: given.source().to_owned() })
+    }
+
+    /// Model with elements of half the size, or the reason for which there is none, if the errors of a model with shells are to be
+    /// estimated.
+    pub(super) fn halved(&self) -> Option<&Result<HalvedModel, String>> {
+        self.halved.get_or_init(|| HalvedModel::requested(&self.scaled)).as_ref()
     }
 
     /// Units in which the equations are solved.

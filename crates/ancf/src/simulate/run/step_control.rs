@@ -106,7 +106,8 @@ impl<'a> StepControl<'a> {
         let (system, scheme) = (&assembly.system, settings.scheme.numbers());
         let mut dynamics = TimeStepper::new(system, scheme, newton, settings.max_halvings, start);
         if model.output.errors {
-            dynamics = dynamics.with_errors(coordinate_sizes(model, assembly), has_mesh(assembly));
+            let has_gaps = has_mesh(assembly) && !model.has_shells();
+            dynamics = dynamics.with_errors(coordinate_sizes(model, assembly), has_gaps);
         }
         let dynamics = started(dynamics, settings)?;
         let (size, every) = match error_control(model, settings, assembly, &dynamics) {
@@ -133,6 +134,19 @@ impl<'a> StepControl<'a> {
             jumps,
             tolerance: time_tolerance,
         })
+    }
+
+    /// Step control of a motion that takes the steps of another one.
+    pub(crate) fn following(self) -> Self {
+        Self { size: StepSize::Fixed(f64::INFINITY), interval: None, ..self }
+    }
+
+    /// Takes one step to the time of the motion that is followed, with restarts at jumps.
+    pub(crate) fn follow(&mut self, to: f64) -> Result<(), SolveError> {
+        while self.dynamics.state().t < to {
+            self.advance_to(to, |_| (), |_| ())?;
+        }
+        Ok(())
     }
 
     /// Time integration, to set the forces of the errors of the mesh.
@@ -190,10 +204,25 @@ impl<'a> StepControl<'a> {
     /// accepted substep and after a restart. Returns false at the end of the duration.
     pub(crate) fn advance(
         &mut self,
-        mut accepted: impl FnMut(&State),
+        accepted: impl FnMut(&State),
         count: impl FnOnce(&StepReport),
     ) -> Result<bool, SolveError> {
         let Some(to) = self.next_output() else { return Ok(false) };
+        self.advance_to(to, accepted, count)?;
+        if self.interval.is_none() || self.dynamics.state().t >= to {
+            self.count += 1;
+            self.is_due = true;
+        }
+        Ok(true)
+    }
+
+    /// Takes one step towards a time, and restarts if it ends at a jump.
+    fn advance_to(
+        &mut self,
+        to: f64,
+        mut accepted: impl FnMut(&State),
+        count: impl FnOnce(&StepReport),
+    ) -> Result<(), SolveError> {
         let jump = self.jumps.last().copied().filter(|jump| *jump <= to + self.tolerance);
         // The step ends just before the jump. A jump within rounding of the output time coincides with it.
         let end = jump.map_or(to, |jump| jump.min(to).next_down());
@@ -209,11 +238,7 @@ impl<'a> StepControl<'a> {
             accepted(self.dynamics.state());
             self.jumps.pop();
         }
-        if self.interval.is_none() || self.dynamics.state().t >= to {
-            self.count += 1;
-            self.is_due = true;
-        }
-        Ok(true)
+        Ok(())
     }
 
     /// Takes one step towards a time.

@@ -231,11 +231,7 @@ fn unsupported_combinations_are_rejected() {
         ("at = [1, 1]", "at = \"end\"", "probes[0].on.at"),
         ("at = [1, 1] }", "at = [1, 1] }\noffset = [0.1, 0]", "probes[0].offset"),
         ("at = [1, 1] }", "at = [1, 1] }\nrecord = [\"stress\"]", "probes[0].on.body"),
-        (
-            "kind = \"statics\"",
-            "kind = \"dynamics\"\nduration = 1\nstep = 0.1\n[output]\nerrors = true",
-            "output.errors",
-        ),
+        ("kind = \"statics\"", "kind = \"modes\"\ndamped = true\n[output]\nerrors = true", "output.errors"),
         (
             analysis,
             "[[contacts]]\nwith = { kind = \"plane\", point = [0, 0, -1], normal = [0, 0, 1] }\nstiffness = 1\n[analysis]",

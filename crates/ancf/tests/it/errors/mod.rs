@@ -4,6 +4,7 @@ mod effectivities;
 mod eigenvalues;
 mod linear_problems;
 mod motions;
+mod shell_motions;
 mod shell_statements;
 pub(crate) mod shells;
 mod statements;

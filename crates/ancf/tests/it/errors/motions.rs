@@ -8,7 +8,7 @@ use super::{BODIES, CLAMPED, beam};
 use crate::common::models::{files, parse};
 
 /// Runs a motion with its errors, or without.
-fn run(text: &str, has_errors: bool) -> (Series, Option<MotionErrors>) {
+pub(super) fn run(text: &str, has_errors: bool) -> (Series, Option<MotionErrors>) {
     let mut model: Model = parse(text);
     model.output.errors = has_errors;
     let mut series = Series::new();
@@ -33,7 +33,7 @@ fn rms(values: impl Iterator<Item = f64>) -> f64 {
 
 /// Ratio of the estimated error of a column to the difference from a reference with `factor` times as many rows, and the relative
 /// size of this difference.
-fn ratio(found: &Series, fine: &Series, factor: usize, column: &str) -> [f64; 2] {
+pub(super) fn ratio(found: &Series, fine: &Series, factor: usize, column: &str) -> [f64; 2] {
     let [value, error, exact] = [
         found.column(column).unwrap(),
         found.column(&format!("{column}_error")).unwrap(),

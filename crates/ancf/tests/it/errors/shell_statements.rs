@@ -36,14 +36,10 @@ fn reason(errors: &DiscretisationErrors) -> &str {
     errors.finer.as_ref().and_then(|finer| finer.reason.as_deref()).unwrap_or_default()
 }
 
-/// Motions, damped modes and paths are rejected; without a request nothing is stated.
+/// Damped modes and paths are rejected; without a request nothing is stated.
 #[test]
 fn errors_are_stated_on_request_where_they_are_known() {
-    for analysis in [
-        "kind = \"dynamics\"\nduration = 0.01\nstep = 1e-3",
-        "kind = \"modes\"\ndamped = true",
-        "kind = \"path\"",
-    ] {
+    for analysis in ["kind = \"modes\"\ndamped = true", "kind = \"path\""] {
         let text = strip(Thin, [2, 1], &format!("{}[analysis]\n{analysis}\n", edge_force(Thin)));
         let found = Model::parse(&text).expect_err(analysis);
         assert!(found.0.iter().any(|error| error.path == "output.errors"), "{analysis}: {found}");

@@ -53,8 +53,22 @@ fn falling(analysis: &str) -> Model {
 const EQUILIBRIUM: &str = "[initial]\nfrom = \"equilibrium\"";
 const HALF: &str = "scheme = { spectral_radius = 0.5 }";
 
+/// Sheet that is released from its equilibrium.
+fn sheet(settings: &str) -> Model {
+    parse(&format!(
+        "gravity = [0, 0, -9.81]\nmaterials.m = {{ young = 1e9, density = 1000 }}\n\
+         [[bodies]]\nkind = \"shell\"\nname = \"s\"\nmaterial = \"m\"\nthickness = 0.02\nelements = [2, 1]\n\
+         surface = {{ kind = \"flat\", corner = [0, 0, 0], side_u = [1, 0, 0], side_v = [0, 0.2, 0] }}\n\
+         [[joints]]\nkind = \"support\"\nname = \"root\"\na = {{ body = \"s\", at = {{ edge = \"u_start\" }} }}\n\
+         condition = \"clamped\"\n[[probes]]\nname = \"tip\"\non = {{ body = \"s\", at = [1, 0.5] }}\n\
+         [[loads]]\nkind = \"surface_force\"\nbody = \"s\"\nforce = [0, 0, 100]\n\
+         time = {{ kind = \"step\", at = 0.0123, until = 0.03 }}\n{EQUILIBRIUM}\n\
+         [analysis]\nkind = \"dynamics\"\nduration = 0.1\n{HALF}\n{settings}\n"
+    ))
+}
+
 /// Short runs with errors and from an equilibrium.
-pub(crate) fn further_runs() -> [(&'static str, Model); 4] {
+pub(crate) fn further_runs() -> [(&'static str, Model); 6] {
     let errors = |parts: &str, settings: &str| {
         beam("", parts, &format!("duration = 0.08\n{settings}\n{HALF}\n[output]\nerrors = true"))
     };
@@ -65,6 +79,8 @@ pub(crate) fn further_runs() -> [(&'static str, Model); 4] {
     [
         ("errors", errors(PULSE, "step = 2e-3")),
         ("errors, adaptive", errors("", "step = { tolerance = 1e-4 }")),
+        ("errors of a shell", sheet("step = 2e-3\n[output]\nerrors = true\ninterval = 0.01")),
+        ("errors of a shell, adaptive", sheet("step = { tolerance = 1e-4 }\n[output]\nerrors = true")),
         ("from equilibrium", settled(damped, "step = 4e-3")),
         ("from equilibrium, adaptive", settled("", "step = { tolerance = 1e-4 }")),
     ]
@@ -258,7 +274,7 @@ fn checkpoints_of_other_models_are_rejected() {
     // The first byte is the version of the format.
     let mut other = all[3].clone();
     other[0] += 1;
-    assert!(matches!(resume_error(&model, &read(&other)), ResumeError::Version { found: 8, expected: 7 }));
+    assert!(matches!(resume_error(&model, &read(&other)), ResumeError::Version { found: 9, expected: 8 }));
 }
 
 /// Resumes from damaged data with a limit on the queries, since the run may be slow.

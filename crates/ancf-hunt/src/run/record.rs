@@ -1,4 +1,4 @@
-use ancf::estimate::DiscretisationErrors;
+use ancf::estimate::{DiscretisationErrors, MotionErrors};
 use ancf::units::Dimension;
 
 /// End of a run.
@@ -65,6 +65,8 @@ pub struct Run {
     pub warnings: Vec<String>,
     /// Estimated errors of the mesh.
     pub errors: Option<DiscretisationErrors>,
+    /// Estimated errors of a motion.
+    pub motion_errors: Option<MotionErrors>,
     /// True if joint equations are redundant, so that reactions are not determined.
     pub is_redundant: bool,
     /// True if steps were divided or rejected, or increments halved.
@@ -79,6 +81,7 @@ impl Run {
             columns: Vec::new(),
             warnings: Vec::new(),
             errors: None,
+            motion_errors: None,
             is_redundant: false,
             is_divided: false,
         }

@@ -80,6 +80,7 @@ pub(super) fn completed(simulation: &Simulation, series: Series, summary: io::Re
         verdict,
         columns: series.columns().map(column).collect(),
         errors: summary.errors,
+        motion_errors: summary.motion_errors,
         warnings: summary.warnings,
         is_redundant: !summary.redundant.is_empty(),
         is_divided: summary.divided_steps + summary.rejected_steps > 0,

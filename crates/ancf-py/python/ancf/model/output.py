@@ -86,8 +86,8 @@ class Output(Part):
     errors
         True to estimate the errors of the recorded values in each state, columns ``p.x_error`` and so on:
         exact less computed. In dynamics those of the time steps and of the mesh, where the run takes two to
-        three times as long. In statics those of the mesh. With shells those of the mesh in statics, undamped
-        modes and buckling, by a second solution with four times the elements. Default: ``False``.
+        three times as long. In statics those of the mesh. With shells those of the mesh, also of undamped
+        modes and buckling, follow from a second solution with four times the elements. Default: ``False``.
     every
         Recording of every n-th instant only. The first and the last instant are always recorded (>= 1).
         Default: ``1``.

@@ -82,7 +82,7 @@ pub struct Output {
     pub power: bool,
     /// True to estimate the errors of the recorded values in each state, columns `p.x_error` and so on: exact less computed. In
     /// dynamics those of the time steps and of the mesh, where the run takes two to three times as long. In statics those of the
-    /// mesh. With shells those of the mesh in statics, undamped modes and buckling, by a second solution with four times the elements.
+    /// mesh. With shells those of the mesh, also of undamped modes and buckling, follow from a second solution with four times the elements.
     pub errors: bool,
     /// True to write `probes.csv`.
     pub csv: bool,

@@ -32,7 +32,7 @@ pub struct RunArguments {
     /// Refine the bodies until the estimated error of the mesh is at most ERROR: 1% or 0.01 (statics, modes, buckling).
     #[arg(long, value_name = "ERROR", value_parser = requested_error)]
     to: Option<f64>,
-    /// Estimate the errors of all recorded values, columns `p.x_error` and so on, as `output.errors = true` (dynamics, statics; with shells statics, modes and buckling).
+    /// Estimate the errors of all recorded values, columns `p.x_error` and so on, as `output.errors = true` (dynamics, statics; with shells also modes and buckling).
     #[arg(long)]
     errors: bool,
     /// Write the report of the results and open it in the browser.

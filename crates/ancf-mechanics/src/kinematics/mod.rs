@@ -32,4 +32,7 @@ pub(crate) use quadrature::{gauss4, lobatto3, simpson_points};
 pub(crate) use rotation::{relative_driven_rotation, relative_rotation};
 pub use section_frame::{FrameValues, SectionFrame};
 pub use shape::{BeamShape, Interpolation, QuadraticShape, VectorKind};
-pub(crate) use surfaces::{CONVEX, SurfaceValues, closest_point, derivatives};
+pub(crate) use surfaces::{
+    BicubicNet, CONVEX, OffsetValues, SurfaceSlopes, SurfaceValues, along, closest_offset_point,
+    closest_point, derivatives, offset_derivatives,
+};

@@ -262,7 +262,7 @@ impl ShellMesh {
     }
 
     /// Returns the tangents r_ξ and r_η of the reference surface at a point of an element.
-    pub(super) fn tangents(&self, element: usize, local: [f64; 2]) -> [Vector3<f64>; 2] {
+    pub(crate) fn tangents(&self, element: usize, local: [f64; 2]) -> [Vector3<f64>; 2] {
         [[1, 0], [0, 1]].map(|order| self.marker(element, &bicubic(local, order)).reference())
     }
 

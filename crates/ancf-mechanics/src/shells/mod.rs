@@ -5,6 +5,7 @@ mod laminates;
 mod mesh;
 mod pressure;
 mod prestrain;
+mod relative_thickness;
 mod shear;
 mod stress;
 mod surface_stress;
@@ -22,7 +23,7 @@ pub use shear::{
     Face, MeshTopology, NearestPoint, ShearMedium, ShearShellMesh, ShearStressField, SurfacePlace,
     TopologyDefect, directors, stress_axis,
 };
-pub(crate) use shear::{NODES, Shape};
+pub(crate) use shear::{NODES, Shape, along_offset_edge};
 pub use stress::StressField;
 pub use surface_stress::{LAYERS, SurfaceStress};
 pub use thin::{Shell48, ShellMedium, ShellProfile, VECTORS};

@@ -1,6 +1,6 @@
 //! Contact pairs of a model as searches for contact.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use ancf_mechanics::bodies::BodyTerms;
@@ -17,6 +17,15 @@ use crate::model::{Contact, IndexedModel, Model, ObstacleKind};
 const TRANSITION: f64 = 0.02;
 /// Default slip speed, relative to length divided by duration.
 const SLIP: f64 = 1e-3;
+
+/// Properties of the bodies in contact with each other.
+#[derive(Debug, Default)]
+pub(crate) struct MutualGeometry {
+    /// Pairs of different bodies that overlap, so that parts of them have no contact.
+    pub(crate) overlapping: BTreeSet<[usize; 2]>,
+    /// Shells whose thickness varies, with the largest relative deviation of their surfaces from half the thickness.
+    pub(crate) deviations: BTreeMap<usize, f64>,
+}
 
 impl Contact {
     /// Contact law with a stiffness. `radius` is the smallest radius of the bodies.
@@ -72,12 +81,12 @@ impl IndexedModel<'_> {
         })
     }
 
-    /// Pairs of different bodies in contact with each other that overlap in the undeformed state, so that parts of them have no contact.
-    pub(crate) fn overlapping_bodies(&self) -> BTreeSet<[usize; 2]> {
+    /// Properties of the bodies in contact with each other, in the undeformed state.
+    pub(crate) fn mutual_geometry(&self) -> MutualGeometry {
         let mutual = || self.contacts.iter().filter(|contact| contact.with.obstacle().is_none());
-        let mut pairs = BTreeSet::new();
+        let mut found = MutualGeometry::default();
         if mutual().next().is_none() {
-            return pairs;
+            return found;
         }
         let built = self.meshes();
         let begin = State::rest(built.iter().map(|(_, terms)| terms.coordinates()).sum(), 0);
@@ -86,18 +95,20 @@ impl IndexedModel<'_> {
                 .contact_bodies(contact, &built)
                 .map(|bodies| bodies.into_iter().unzip::<_, _, Vec<_>, Vec<_>>());
             let law = contact.law(self, 0.0, 1.0);
-            let mut add = |found: Vec<[usize; 2]>, own: &[usize], other: &[usize]| {
-                let bodies = found.into_iter().map(|[a, b]| [own[a], other[b]]).filter(|[a, b]| a != b);
-                pairs.extend(bodies.map(|[a, b]| [a.min(b), a.max(b)]));
+            let deviations = surfaces.iter().map(ContactGeometry::thickness_deviation);
+            found.deviations.extend(shells.iter().copied().zip(deviations).filter(|(_, x)| *x > 0.0));
+            let mut add = |joined: Vec<[usize; 2]>, own: &[usize], other: &[usize]| {
+                let bodies = joined.into_iter().map(|[a, b]| [own[a], other[b]]).filter(|[a, b]| a != b);
+                found.overlapping.extend(bodies.map(|[a, b]| [a.min(b), a.max(b)]));
             };
             for (numbers, sources) in [(&lines, &tubes), (&shells, &surfaces)] {
                 let thin = ThinContacts::new(sources, &surfaces, law, &begin).joined_bodies();
                 let faces = FaceContacts::new(sources, &surfaces, law, &begin).joined_bodies();
-                [thin, faces].into_iter().for_each(|found| add(found, numbers, &shells));
+                [thin, faces].into_iter().for_each(|joined| add(joined, numbers, &shells));
             }
             add(BeamContacts::new(tubes, law).joined_bodies(), &lines, &lines);
         }
-        pairs
+        found
     }
 
     /// Contact searches of a valid model. Bodies that overlap in the initial state are excluded as joined.

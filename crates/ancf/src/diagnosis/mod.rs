@@ -6,7 +6,7 @@ mod corners;
 mod free_motion;
 mod locking;
 mod mechanism;
-mod overlaps;
+mod mutual_contacts;
 mod plausibility;
 mod prestrained_modes;
 mod summary;

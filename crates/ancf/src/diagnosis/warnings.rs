@@ -1,7 +1,7 @@
 use super::connections::Connections;
 use super::corners::corner_warnings;
 use super::locking::locking_warnings;
-use super::overlaps::overlap_warning;
+use super::mutual_contacts::contact_warnings;
 use super::plausibility::unit_warnings;
 use super::prestrained_modes::prestrain_warning;
 use super::thick_shells::thickness_warnings;
@@ -19,6 +19,6 @@ pub(crate) fn model_warnings(model: &Model) -> Vec<String> {
     warnings.extend(time_warnings(model));
     warnings.extend(prestrain_warning(model));
     warnings.extend(gas_warnings(model));
-    warnings.extend(overlap_warning(model));
+    warnings.extend(contact_warnings(model));
     warnings
 }

@@ -115,6 +115,7 @@ impl Foot<1> {
             at: [xi],
             share,
             d,
+            excess: 0.0,
             slopes: [slope / length],
             compliance: [[compliance]],
         })

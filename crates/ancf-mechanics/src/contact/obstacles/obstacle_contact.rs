@@ -75,7 +75,7 @@ impl ObstacleContact {
 
     /// Returns the radius of the body at a point.
     fn radius(&self, point: &ContactPoint) -> f64 {
-        self.radius * point.scale
+        self.radius + point.excess
     }
 
     fn gap(&self, point: &ContactPoint, x: &MarkerValues<f64>) -> f64 {

@@ -58,7 +58,7 @@ impl ObstacleContacts {
         for (i, group) in self.groups.iter().enumerate() {
             let ContactGeometry { radius, margin, .. } = self.bodies[group.body];
             let distance =
-                |point: &ContactPoint| (pose.gap(&point.place.value(s)) - radius * point.scale) / margin;
+                |point: &ContactPoint| (pose.gap(&point.place.value(s)) - radius - point.excess) / margin;
             visit(i, group, &mut self.points(group).iter().map(distance));
         }
     }
@@ -80,7 +80,7 @@ impl ObstacleContacts {
         lines.map(move |(line, radius)| {
             line.filter_map(move |point| {
                 let [before, after] = [(&poses[0], from), (&poses[1], to)]
-                    .map(|(pose, s)| pose.radial(&point.place.value(s), radius * point.scale));
+                    .map(|(pose, s)| pose.radial(&point.place.value(s), radius + point.excess));
                 Some((point, [before?, after?]))
             })
         })

@@ -117,7 +117,7 @@ impl<P: ContactPartners<N>, const N: usize> Term for ClosestContact<P, N> {
     fn inadmissibility(&self, at: &Local<'_>) -> Option<Inadmissibility> {
         let mut is_admissible = true;
         Self::visit(&self.pose(at.q), |contact, _| {
-            is_admissible &= contact.foot.d.norm() > SMALLEST_DISTANCE * self.radius;
+            is_admissible &= contact.foot.d.norm() > SMALLEST_DISTANCE * contact.radius;
         });
         (!is_admissible).then_some(Inadmissibility::PressedThrough)
     }

@@ -1,10 +1,12 @@
 use std::iter::StepBy;
 use std::slice::Iter;
+use std::sync::Arc;
 
 use super::face_geometry::FaceGeometry;
+use super::thickness_deviation::{places, thickness_deviation};
 use crate::bodies::BeamMesh;
-use crate::kinematics::{ElementAxis, Marker};
-use crate::shells::{ElementSurface, ShearShellMesh, ShellMesh};
+use crate::kinematics::{BicubicNet, ElementAxis, Marker};
+use crate::shells::{ElementSurface, Shape, ShearShellMesh, ShellMesh, SurfacePlace};
 
 /// Contact geometry of a body: a round tube about its axis, the balls of a rigid body, or the middle surface of a shell with
 /// its thickness, with contact points on it.
@@ -22,6 +24,8 @@ pub struct ContactGeometry {
     pub(in crate::contact) radius: f64,
     /// Search margin.
     pub(in crate::contact) margin: f64,
+    /// Largest relative deviation of a surface that is touched from half the thickness.
+    deviation: f64,
 }
 
 /// Surface of an element of a thin shell.
@@ -32,6 +36,8 @@ pub struct SurfaceGeometry {
     pub(in crate::contact) surface: ElementSurface,
     /// Free edges: ξ = 0 and ξ = 1, η = 0 and η = 1.
     pub(in crate::contact) free: [[bool; 2]; 2],
+    /// Half the thickness less the smallest one, if it varies.
+    pub(in crate::contact) excess: Option<Arc<BicubicNet<f64>>>,
 }
 
 /// Contact point of a body.
@@ -41,20 +47,20 @@ pub struct ContactPoint {
     pub(in crate::contact) place: Marker,
     /// Length of beam or area of shell that the point represents.
     pub(in crate::contact) extent: f64,
-    /// Radius of the body at the point, relative to that of the body.
-    pub(in crate::contact) scale: f64,
+    /// Radius of the body at the point less the smallest one.
+    pub(in crate::contact) excess: f64,
 }
 
 impl ContactPoint {
     /// Creates a point of a body that represents a length of beam or an area of shell.
     pub const fn new(place: Marker, extent: f64) -> Self {
-        Self { place, extent, scale: 1.0 }
+        Self { place, extent, excess: 0.0 }
     }
 
     /// Returns the point with another place.
     #[must_use]
     pub(in crate::contact) const fn at(&self, place: Marker) -> Self {
-        Self { place, extent: self.extent, scale: self.scale }
+        Self { place, extent: self.extent, excess: self.excess }
     }
 }
 
@@ -87,30 +93,64 @@ impl ContactGeometry {
 
     /// Creates the surface of a thin shell with a thickness and at least `count` points per element in each direction.
     ///
-    /// The surfaces of shells in contact with each other have the smallest thickness.
+    /// A thickness that varies is bicubic in each element of a surface that is touched.
     pub fn shell(mesh: &ShellMesh, thickness: f64, count: usize) -> Self {
-        let points = mesh.surface_points(cells(count));
+        let own = Self::of_surface(mesh.surface_points(cells(count)), thickness, 2 * cells(count) + 1);
+        let (mut nets, mut deviation) = (Vec::new(), 0.0_f64);
+        for (number, values) in mesh.relative_thicknesses().into_iter().flatten().enumerate() {
+            // Values have the smallest radius as their origin, derivatives have none.
+            let of = |k: usize| 0.5 * thickness * values[k] - if k % 4 == 0 { own.radius } else { 0.0 };
+            let net = BicubicNet::from_nodes(&std::array::from_fn(of));
+            for at in places() {
+                let [t, s] = mesh.tangents(number, at);
+                let radii = [own.radius, 0.5 * thickness * mesh.relative_thickness(number, at)];
+                deviation = deviation.max(thickness_deviation([&t, &s], &net.at(at), radii));
+            }
+            nets.push(Arc::new(net));
+        }
         let elements = mesh.element_surfaces().enumerate();
-        let surfaces =
-            elements.map(|(number, (surface, free))| SurfaceGeometry { number, surface, free }).collect();
-        Self { surfaces, ..Self::of_surface(points, thickness, 2 * cells(count) + 1) }
+        let surface = |(number, (surface, free))| SurfaceGeometry {
+            number,
+            surface,
+            free,
+            excess: nets.get(number).cloned(),
+        };
+        Self { surfaces: elements.map(surface).collect(), deviation, ..own }
     }
 
     /// Creates the surface of a shear-deformable shell with a thickness and at least `count` points per element in each direction.
+    ///
+    /// A thickness that varies is linear or bilinear in each element of a surface that is touched.
     pub fn shear_shell(mesh: &ShearShellMesh, thickness: f64, count: usize) -> Self {
-        let points = mesh.surface_points(cells(count));
-        let faces = FaceGeometry::all(mesh);
-        Self { faces, ..Self::of_surface(points, thickness, 2 * cells(count) + 1) }
+        let own = Self::of_surface(mesh.surface_points(cells(count)), thickness, 2 * cells(count) + 1);
+        let faces = FaceGeometry::all(mesh, |scale| 0.5 * thickness * scale - own.radius);
+        let mut deviation = 0.0_f64;
+        for (element, face) in faces.iter().enumerate() {
+            let Some(excess) = &face.excess else { continue };
+            for at in places().filter(|[x, y]| face.shape == Shape::Quad || x + y <= 1.0) {
+                let place = SurfacePlace { element, at };
+                let [t, s] = mesh.tangents(place).map(|tangent| tangent.reference());
+                let radii = [own.radius, 0.5 * thickness * mesh.relative_thickness(place)];
+                let e = face.shape.offset_values(at, excess);
+                deviation = deviation.max(thickness_deviation([&t, &s], &e, radii));
+            }
+        }
+        Self { faces, deviation, ..own }
+    }
+
+    /// Returns the largest relative deviation of the surface that other bodies touch from half the thickness, where it varies.
+    pub const fn thickness_deviation(&self) -> f64 {
+        self.deviation
     }
 
     /// Creates the surface of points with their areas and their thicknesses relative to a given one.
     fn of_surface(points: impl Iterator<Item = (Marker, [f64; 2])>, thickness: f64, count: usize) -> Self {
-        let points = points.map(|(place, [extent, scale])| ContactPoint { place, extent, scale });
-        let mut points: Vec<ContactPoint> = points.collect();
-        let scales = || points.iter().map(|point| point.scale);
-        let (least, largest) = (scales().fold(f64::INFINITY, f64::min), scales().fold(0.0, f64::max));
-        let [radius, margin] = [least, largest].map(|scale| 0.5 * thickness * scale);
-        points.iter_mut().for_each(|point| point.scale /= least);
+        let radii = points.map(|(place, [extent, scale])| (place, extent, 0.5 * thickness * scale));
+        let radii: Vec<_> = radii.collect();
+        let all = || radii.iter().map(|(.., radius)| *radius);
+        let (radius, margin) = (all().fold(f64::INFINITY, f64::min), all().fold(0.0, f64::max));
+        let point = |(place, extent, own)| ContactPoint { place, extent, excess: own - radius };
+        let points = radii.into_iter().map(point).collect();
         Self { points, count: count * count, is_surface: true, radius, margin, ..Self::default() }
     }
 

@@ -13,6 +13,8 @@ pub struct FaceGeometry {
     pub(in crate::contact) nodes: FaceNodes,
     /// Number of the element in its shell.
     number: usize,
+    /// Half the thickness at the nodes less the smallest one, if it varies.
+    pub(in crate::contact) excess: Option<SmallVec<[f64; NODES]>>,
     /// Element beyond each edge.
     beyond: [Option<usize>; NODES],
     fans: [Fan; NODES],
@@ -62,8 +64,8 @@ impl FacePart {
 pub(in crate::contact) type PartWeights = [f64; FacePart::COUNT];
 
 impl FaceGeometry {
-    /// Returns the elements of a mesh.
-    pub(super) fn all(mesh: &ShearShellMesh) -> Vec<Self> {
+    /// Returns the elements of a mesh. `excess` is half a relative thickness less the smallest one.
+    pub(super) fn all(mesh: &ShearShellMesh, excess: impl Fn(f64) -> f64) -> Vec<Self> {
         let faces = mesh.faces();
         let topology = MeshTopology::new(mesh.nodes(), faces);
         let of = |(number, face): (usize, &Face)| {
@@ -74,7 +76,9 @@ impl FaceGeometry {
             let fan = |k: usize| face.nodes().get(k).map(|node| Fan::new(*node, faces, &topology));
             let fans = std::array::from_fn(|k| fan(k).unwrap_or_default());
             let nodes = mesh.corners(number).into_iter().collect();
-            Self { shape: face.shape(), nodes, number, beyond, fans }
+            let scales = mesh.relative_thicknesses(number);
+            let excess = scales.map(|scales| scales.into_iter().map(&excess).collect());
+            Self { shape: face.shape(), nodes, number, excess, beyond, fans }
         };
         faces.iter().enumerate().map(of).collect()
     }

@@ -10,7 +10,10 @@ pub struct Foot<const N: usize> {
     /// Share of this element in the contact.
     pub(in crate::contact) share: f64,
     pub(in crate::contact) d: Vector3<f64>,
-    /// Derivatives r_α by the parameters.
+    /// Radius of the element at r less the smallest one.
+    pub(in crate::contact) excess: f64,
+    /// Derivatives r_α by the parameters. Where the radius varies, d is not normal to them: these are their parts normal to d, along
+    /// which the gap has no derivative.
     pub(in crate::contact) slopes: [Vector3<f64>; N],
     /// Compliance C_αβ of dx_α = C_αβ (r_β·δd + d·δr_β). It is 0 for a parameter at the end of its range.
     pub(in crate::contact) compliance: [[f64; N]; N],

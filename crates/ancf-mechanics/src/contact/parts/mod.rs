@@ -8,6 +8,7 @@ mod face_geometry;
 mod foot;
 mod limits;
 mod point_contact;
+mod thickness_deviation;
 
 pub(super) use box_tree::{AlignedBox, BoxTree};
 pub use closest_contact::ClosestContact;

@@ -1,60 +1,89 @@
+use std::sync::Arc;
+
 use nalgebra::Vector3;
 
 use super::target::TargetSurface;
-use crate::kinematics::{SurfaceValues, closest_point};
+use crate::kinematics::{
+    BicubicNet, OffsetValues, SurfaceSlopes, SurfaceValues, along, closest_offset_point, closest_point,
+    derivatives, offset_derivatives,
+};
 use crate::shells::ElementSurface;
 
-/// Surface of an element in a state: r = Σ Bᵢ(ξ) Bⱼ(η) bᵢⱼ with the cubic Bernstein polynomials, relative to an origin.
-///
-/// The surface is in the convex hull of the Bézier points bᵢⱼ.
-#[derive(Clone, Copy, Debug)]
+/// Surface of an element in a state, relative to an origin, and its radius, half the thickness.
+#[derive(Clone, Debug)]
 pub struct BicubicSurface {
-    /// Bézier points, along ξ first.
-    pub(super) points: [[Vector3<f64>; 4]; 4],
+    net: BicubicNet<Vector3<f64>>,
+    /// Radius less the smallest one, if it varies.
+    excess: Option<Arc<BicubicNet<f64>>>,
 }
 
 impl BicubicSurface {
     /// Evaluates the surface of an element, given the coordinates q.
-    pub(super) fn new(surface: &ElementSurface, q: &[f64], origin: &Vector3<f64>) -> Self {
-        let values = surface.values(q, origin);
-        // Bézier points of a cubic with the values and slopes at both ends.
-        let cubic = |[a, from, b, to]: [Vector3<f64>; 4]| [a, a + from / 3.0, b - to / 3.0, b];
-        let row = |node: usize, kind: usize| cubic([0, 1, 4, 5].map(|k| values[4 * node + kind + k]));
-        let rows = [row(0, 0), row(0, 2), row(2, 0), row(2, 2)];
-        let columns: [[Vector3<f64>; 4]; 4] = std::array::from_fn(|i| cubic(rows.map(|row| row[i])));
-        Self { points: std::array::from_fn(|j| std::array::from_fn(|i| columns[i][j])) }
+    pub(super) fn new(
+        surface: &ElementSurface,
+        excess: Option<&Arc<BicubicNet<f64>>>,
+        q: &[f64],
+        origin: &Vector3<f64>,
+    ) -> Self {
+        Self { net: BicubicNet::from_nodes(&surface.values(q, origin)), excess: excess.cloned() }
+    }
+
+    /// Returns the Bézier points, along ξ first.
+    pub(super) const fn points(&self) -> &[[Vector3<f64>; 4]; 4] {
+        &self.net.points
+    }
+
+    /// Returns true if the radius varies.
+    pub(super) const fn has_excess(&self) -> bool {
+        self.excess.is_some()
     }
 
     /// Returns r at (ξ, η).
-    pub(super) fn point(&self, [x, y]: [f64; 2]) -> Vector3<f64> {
-        let ([along, ..], [across, ..]) = (bernstein(x), bernstein(y));
-        self.sum(&along, &across)
-    }
-
-    fn sum(&self, along: &[f64; 4], across: &[f64; 4]) -> Vector3<f64> {
-        let mut sum = Vector3::zeros();
-        for (row, weight) in self.points.iter().zip(across) {
-            let of_row = row[0] * along[0] + row[1] * along[1] + row[2] * along[2] + row[3] * along[3];
-            sum += of_row * *weight;
-        }
-        sum
+    pub(super) fn point(&self, at: [f64; 2]) -> Vector3<f64> {
+        self.net.value(at)
     }
 
     /// Returns r and its derivatives at (ξ, η).
-    pub(super) fn at(&self, [x, y]: [f64; 2]) -> SurfaceValues {
-        let (along, across) = (bernstein(x), bernstein(y));
-        [[0, 0], [1, 0], [0, 1], [2, 0], [0, 2], [1, 1]].map(|[i, j]| self.sum(&along[i], &across[j]))
+    pub(super) fn at(&self, at: [f64; 2]) -> SurfaceValues {
+        self.net.at(at)
     }
 
     /// Returns (ξ, η) of the closest point: that of the nearest Bézier point, improved by Newton's method with line search.
     pub(super) fn closest(&self, point: &Vector3<f64>) -> [f64; 2] {
-        closest_point(point, self.start(point), |at| self.at(at))
+        let start = self.start(point);
+        match &self.excess {
+            None => closest_point(point, start, |at| self.at(at)),
+            Some(excess) => closest_offset_point(point, start, |at| (self.at(at), excess.at(at))),
+        }
+    }
+
+    /// Returns the radius less the smallest one at (ξ, η).
+    pub(super) fn excess_at(&self, at: [f64; 2]) -> f64 {
+        self.excess.as_ref().map_or(0.0, |excess| excess.value(at))
+    }
+
+    /// Returns the derivatives of the distance at (ξ, η) for a vector d from there, and the parts of r_ξ and r_η along which the gap has
+    /// no derivative.
+    pub(super) fn slopes(
+        &self,
+        d: &Vector3<f64>,
+        values: &SurfaceValues,
+        at: [f64; 2],
+    ) -> (SurfaceSlopes, [Vector3<f64>; 2]) {
+        let tangents = [&values[1], &values[2]];
+        match &self.excess {
+            None => (derivatives(d, values), tangents.map(Vector3::clone)),
+            Some(excess) => {
+                let e: OffsetValues = excess.at(at);
+                (offset_derivatives(d, values, &e), along(d, tangents))
+            }
+        }
     }
 
     /// Returns (ξ, η) of the nearest Bézier point, as on a plane parallelogram.
     fn start(&self, point: &Vector3<f64>) -> [f64; 2] {
         let places = (0..4).flat_map(|j| (0..4).map(move |i| (i, j)));
-        let distance = |(i, j): (usize, usize)| (point - self.points[j][i]).norm_squared();
+        let distance = |(i, j): (usize, usize)| (point - self.points()[j][i]).norm_squared();
         let nearest = places.min_by(|a, b| distance(*a).total_cmp(&distance(*b)));
         nearest.map_or([0.0; 2], |(i, j)| [i as f64 / 3.0, j as f64 / 3.0])
     }
@@ -62,27 +91,25 @@ impl BicubicSurface {
 
 impl TargetSurface for BicubicSurface {
     fn hull_points(&self) -> &[Vector3<f64>] {
-        self.points.as_flattened()
+        self.points().as_flattened()
+    }
+
+    fn largest_excess(&self) -> f64 {
+        let points = self.excess.iter().flat_map(|excess| excess.points.as_flattened());
+        points.copied().fold(0.0, f64::max)
     }
 
     fn between(&self, to: &Self, part: f64) -> Self {
-        let at = |i: usize, j: usize| self.points[j][i] + (to.points[j][i] - self.points[j][i]) * part;
-        Self { points: std::array::from_fn(|j| std::array::from_fn(|i| at(i, j))) }
+        let (own, other) = (self.points(), to.points());
+        let at = |i: usize, j: usize| own[j][i] + (other[j][i] - own[j][i]) * part;
+        let net = BicubicNet { points: std::array::from_fn(|j| std::array::from_fn(|i| at(i, j))) };
+        Self { net, excess: self.excess.clone() }
     }
 
-    fn distance(&self, point: &Vector3<f64>) -> f64 {
-        (point - self.point(self.closest(point))).norm()
+    fn relative_distance(&self, point: &Vector3<f64>, radius: f64) -> f64 {
+        let at = self.closest(point);
+        (point - self.point(at)).norm() / (radius + self.excess_at(at))
     }
-}
-
-/// Returns the cubic Bernstein polynomials and their two derivatives.
-fn bernstein(x: f64) -> [[f64; 4]; 3] {
-    let y = 1.0 - x;
-    [
-        [y * y * y, 3.0 * x * y * y, 3.0 * x * x * y, x * x * x],
-        [-3.0 * y * y, 3.0 * y * (y - 2.0 * x), 3.0 * x * (2.0 * y - x), 3.0 * x * x],
-        [6.0 * y, 6.0 * (x - 2.0 * y), 6.0 * (y - 2.0 * x), 6.0 * x],
-    ]
 }
 
 #[cfg(test)]
@@ -117,8 +144,10 @@ mod tests {
     fn bezier_form_equals_the_hermite_form() {
         let (mut seed, q) = (5, [0.0; 3 * VECTORS]);
         let element = surface(&mut seed, 0.3);
-        let (form, values) =
-            (BicubicSurface::new(&element, &q, &Vector3::zeros()), element.values(&q, &Vector3::zeros()));
+        let (form, values) = (
+            BicubicSurface::new(&element, None, &q, &Vector3::zeros()),
+            element.values(&q, &Vector3::zeros()),
+        );
         for at in [[0.0, 0.0], [1.0, 0.3], [0.2, 0.7]] {
             let found = form.at(at);
             for (k, weights) in ElementSurface::weights(at).iter().enumerate() {
@@ -143,7 +172,7 @@ mod tests {
     fn closest_points_are_closest() {
         let (mut seed, q, mut inside) = (17, [0.0; 3 * VECTORS], 0);
         for _ in 0..300 {
-            let form = BicubicSurface::new(&surface(&mut seed, 0.1), &q, &Vector3::zeros());
+            let form = BicubicSurface::new(&surface(&mut seed, 0.1), None, &q, &Vector3::zeros());
             let p = Vector3::new(0.5, 0.5, 0.0)
                 + Vector3::new(random(&mut seed), random(&mut seed), 0.3 * random(&mut seed));
             let at = form.closest(&p);

@@ -7,20 +7,20 @@ use crate::contact::parts::{END_MARGIN, EndBounds, NODE_TRANSITION};
 ///
 /// If d·r_ξ < 0 for all ξ and η, the distance |d| from a point increases with ξ. The closest point is then on the edge ξ = 0, on
 /// which the element has no share. This is the case if (p − b)·h < 0 for all Bézier points b and their differences h along ξ.
-/// Neighbours thus have no terms unless the surface is folded.
+/// Neighbours thus have no terms unless the surface is folded. A thickness that varies moves the closest point: there are no planes.
 #[derive(Debug)]
 pub(super) struct EdgePlanes([EndBounds<12>; 2]);
 
 impl EdgePlanes {
     /// Creates the planes for points within a distance of an element. `free` marks the free edges along ξ and along η.
     pub(super) fn new(surface: &BicubicSurface, free: [[bool; 2]; 2], distance: f64) -> Self {
-        let (points, margin) = (&surface.points, END_MARGIN * distance);
+        let (points, margin) = (surface.points(), END_MARGIN * distance);
         let along_x = std::array::from_fn(|k| points[k / 3][k % 3 + 1] - points[k / 3][k % 3]);
         let along_y = std::array::from_fn(|k| points[k % 3 + 1][k / 3] - points[k % 3][k / 3]);
         let bounds = |differences: [Vector3<f64>; 12], free: [bool; 2]| {
             // The margin exceeds the transition at the edge.
             let is_far = differences.iter().all(|h| margin > 12.0 * NODE_TRANSITION * h.norm());
-            let valid = free.map(|free| !free && is_far);
+            let valid = free.map(|free| !free && is_far && !surface.has_excess());
             EndBounds::new(points.as_flattened(), differences, valid, margin)
         };
         Self([bounds(along_x, free[0]), bounds(along_y, free[1])])
@@ -56,7 +56,7 @@ mod tests {
             };
             let values: [Vector3<f64>; VECTORS] = std::array::from_fn(|a| flat(a) + vector(0.05));
             let element = ElementSurface::new(std::array::from_fn(|a| 3 * a), values);
-            let surface = BicubicSurface::new(&element, &[0.0; 3 * VECTORS], &Vector3::zeros());
+            let surface = BicubicSurface::new(&element, None, &[0.0; 3 * VECTORS], &Vector3::zeros());
             let middle = Vector3::new(f64::from(case % 3) * 0.5, f64::from(case / 3 % 3) * 0.5, 0.0);
             let (point, distance) = (vector(0.3) + middle, 0.2);
             let near = (point - surface.point(surface.closest(&point))).norm() < distance;

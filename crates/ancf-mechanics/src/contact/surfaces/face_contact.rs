@@ -11,7 +11,7 @@ use crate::contact::parts::{
     FaceNodes, FacePart, FootErrors, FootWeight, PartWeights, PointContact, sorted,
 };
 use crate::laws::ContactLaw;
-use crate::shells::Shape;
+use crate::shells::{NODES, Shape};
 
 /// Contact between points of a body and the middle surface of an element of another or the same shear-deformable shell.
 ///
@@ -25,7 +25,11 @@ pub type FaceContact = ClosestContact<FacePartners, 2>;
 pub struct FacePartners {
     shape: Shape,
     nodes: FaceNodes,
+    /// Half the thickness at the nodes less the smallest one, if it varies.
+    excess: Option<SmallVec<[f64; NODES]>>,
     points: Vec<(ContactPoint, PartWeights)>,
+    /// Largest radius of the points less the smallest one.
+    largest: f64,
 }
 
 impl SurfaceTarget for FaceGeometry {
@@ -36,26 +40,26 @@ impl SurfaceTarget for FaceGeometry {
     }
 
     fn surface(&self, s: &State) -> FaceSurface {
-        FaceSurface::new(self.shape, &self.nodes, &s.q, &Vector3::zeros())
+        FaceSurface::new((self.shape, self.excess.as_ref()), &self.nodes, &s.q, &Vector3::zeros())
     }
 
     fn visit_near(
         &self,
         surface: &FaceSurface,
-        distance: f64,
-        points: &mut dyn Iterator<Item = (usize, Vector3<f64>)>,
+        _: f64,
+        points: &mut dyn Iterator<Item = (usize, Vector3<f64>, f64)>,
         is_joined: &dyn Fn(usize, usize) -> bool,
         visit: &mut dyn FnMut(usize, f64),
     ) {
-        for (i, point) in points {
-            let (part, found) = surface.closest_part(&point);
-            if found > 2.0 * distance {
+        for (i, point, radius) in points {
+            let (part, found) = surface.closest_part(&point, radius);
+            if found > 2.0 {
                 continue;
             }
             // Only next to joined elements, the sum of the weights of a part can be 0.
             let acts = part == FacePart::Surface || !self.has_neighbour(|k| is_joined(i, k)) || {
                 let weights = self.weights(|k| is_joined(i, k));
-                !surface.acting_parts(&weights, &point, 2.0 * distance).is_empty()
+                !surface.acting_parts(&weights, &point, (radius, 2.0)).is_empty()
             };
             if acts {
                 visit(i, found);
@@ -82,7 +86,7 @@ impl SurfaceTarget for FaceGeometry {
 impl FaceContact {
     /// Creates the contact of some points with an element of another shell, if there is such an element.
     ///
-    /// `radius` is the sum of the radius of the points and half the thickness.
+    /// `radius` is the sum of the smallest radii of both bodies.
     pub fn new(
         points: &[ContactPoint],
         (shell, element): (&ContactGeometry, usize),
@@ -106,8 +110,10 @@ impl FaceContact {
         let coordinates = sorted(of_points.chain(of_face));
         let local =
             |(i, point): (usize, &ContactPoint)| (point.at(point.place.within(&coordinates)), weights(i));
+        let largest = points.iter().map(|point| point.excess).fold(0.0, f64::max);
         let points = points.iter().enumerate().map(local).collect();
-        let partners = FacePartners { shape: face.shape, nodes: face.nodes_within(&coordinates), points };
+        let (nodes, excess) = (face.nodes_within(&coordinates), face.excess.clone());
+        let partners = FacePartners { shape: face.shape, nodes, excess, points, largest };
         Self { partners, coordinates, radius, law }
     }
 }
@@ -131,8 +137,8 @@ impl ContactPartners<2> for FacePartners {
     fn pose<'a>(&'a self, q: &'a [f64], (radius, law): (f64, &'a ContactLaw)) -> FacePose<'a> {
         let (first, reference) = self.nodes[0];
         let origin = reference + Vector3::new(q[first], q[first + 1], q[first + 2]);
-        let surface = FaceSurface::new(self.shape, &self.nodes, q, &origin);
-        let hull = hull(&surface, radius);
+        let surface = FaceSurface::new((self.shape, self.excess.as_ref()), &self.nodes, q, &origin);
+        let hull = hull(&surface, 1.0, radius + self.largest);
         FacePose { partners: self, radius, law, q, origin, surface, hull }
     }
 }
@@ -146,17 +152,17 @@ impl FacePose<'_> {
 
 impl ContactPose<2> for FacePose<'_> {
     fn visit_near(&self, visit: &mut dyn FnMut([usize; 2])) {
-        for (i, (_, weights)) in self.partners.points.iter().enumerate() {
+        for (i, (own, weights)) in self.partners.points.iter().enumerate() {
             let point = self.point(i);
             if self.hull.contains(&point) {
-                let parts = self.surface.acting_parts(weights, &point, self.radius);
+                let parts = self.surface.acting_parts(weights, &point, (self.radius + own.excess, 1.0));
                 parts.into_iter().for_each(|part| visit([part.number(), i]));
             }
         }
     }
 
     fn with_foot(&self, [number, i]: [usize; 2], visit: &mut dyn FnMut(&PointContact<'_, 2>)) {
-        let (ContactPoint { place, extent, .. }, part_weights) = &self.partners.points[i];
+        let (ContactPoint { place, extent, excess }, part_weights) = &self.partners.points[i];
         let foot = self.surface.foot(FacePart::new(number), &self.point(i));
         let [values, x, y] = self.partners.shape.values(foot.at);
         let of_point =
@@ -168,7 +174,8 @@ impl ContactPose<2> for FacePose<'_> {
             slopes: [x[a], y[a]],
         });
         let weights: SmallVec<[FootWeight<2>; 32]> = of_point.chain(of_surface).collect();
-        let (law, radius, size) = (self.law, self.radius, extent * part_weights[number]);
+        let radius = self.radius + excess + foot.excess;
+        let (law, size) = (self.law, extent * part_weights[number]);
         visit(&PointContact { law, radius, size, foot, weights: &weights, range: 1.0 });
     }
 

@@ -3,14 +3,16 @@ use smallvec::SmallVec;
 
 use super::target::TargetSurface;
 use crate::contact::parts::{FaceNodes, FacePart, Foot, PartWeights};
-use crate::kinematics::{SurfaceValues, derivatives};
-use crate::shells::{NODES, Shape};
+use crate::kinematics::{SurfaceValues, along, derivatives, offset_derivatives};
+use crate::shells::{NODES, Shape, along_offset_edge};
 
 /// Middle surface of an element of a shear-deformable shell in a state, linear or bilinear between its nodes.
 #[derive(Clone, Debug)]
 pub struct FaceSurface {
     shape: Shape,
     nodes: SmallVec<[Vector3<f64>; NODES]>,
+    /// Radius at the nodes, half the thickness, less the smallest one, if it varies.
+    excess: Option<SmallVec<[f64; NODES]>>,
 }
 
 /// Distance from the third edge of a triangle that counts as rounding.
@@ -20,12 +22,17 @@ const ON_EDGE: f64 = 8.0 * f64::EPSILON;
 const NO_WEIGHT: f64 = 1e-12;
 
 impl FaceSurface {
-    /// Evaluates the surface for coordinates q, relative to an origin.
-    pub(super) fn new(shape: Shape, nodes: &FaceNodes, q: &[f64], origin: &Vector3<f64>) -> Self {
+    /// Evaluates the surface for coordinates q, relative to an origin. `excess` is the radius at the nodes less the smallest one.
+    pub(super) fn new(
+        (shape, excess): (Shape, Option<&SmallVec<[f64; NODES]>>),
+        nodes: &FaceNodes,
+        q: &[f64],
+        origin: &Vector3<f64>,
+    ) -> Self {
         let node = |(first, reference): &(usize, Vector3<f64>)| {
             reference - origin + Vector3::new(q[*first], q[*first + 1], q[*first + 2])
         };
-        Self { shape, nodes: nodes.iter().map(node).collect() }
+        Self { shape, nodes: nodes.iter().map(node).collect(), excess: excess.cloned() }
     }
 
     /// Returns r and its derivatives at (ξ, η).
@@ -37,35 +44,57 @@ impl FaceSurface {
     fn closest(&self, part: FacePart, point: &Vector3<f64>) -> [f64; 2] {
         let corners = self.shape.corners();
         match part {
-            FacePart::Surface => self.shape.nearest(point, &self.nodes),
+            FacePart::Surface => match &self.excess {
+                None => self.shape.nearest(point, &self.nodes),
+                Some(excess) => self.shape.nearest_of_offset(point, &self.nodes, excess),
+            },
             FacePart::Edge(k) => {
                 let [a, b] = [k, (k + 1) % self.nodes.len()];
-                let edge = self.nodes[b] - self.nodes[a];
-                let along = ((point - self.nodes[a]).dot(&edge) / edge.norm_squared()).clamp(0.0, 1.0);
+                let along = match &self.excess {
+                    None => {
+                        let edge = self.nodes[b] - self.nodes[a];
+                        ((point - self.nodes[a]).dot(&edge) / edge.norm_squared()).clamp(0.0, 1.0)
+                    }
+                    Some(excess) => {
+                        let ends = [&self.nodes[a], &self.nodes[b]];
+                        along_offset_edge(point, ends, [excess[a], excess[b]])
+                    }
+                };
                 [0, 1].map(|i| corners[a][i] + (corners[b][i] - corners[a][i]) * along)
             }
             FacePart::Node(k) => corners[k],
         }
     }
 
-    /// Returns the smallest part that contains the closest point, and the distance.
-    pub(super) fn closest_part(&self, point: &Vector3<f64>) -> (FacePart, f64) {
-        let at = self.closest(FacePart::Surface, point);
-        (self.part_at(at), (point - self.values(at)[0]).norm())
+    /// Returns the radius less the smallest one at (ξ, η).
+    fn excess_at(&self, at: [f64; 2]) -> f64 {
+        self.excess.as_ref().map_or(0.0, |excess| self.shape.offset_values(at, excess)[0])
     }
 
-    /// Returns the parts nearer to a point than a distance, without those whose weights at a common closest point have the sum 0.
+    /// Returns the distance of a point from (ξ, η), relative to the sum of the radii.
+    fn relative(&self, at: [f64; 2], point: &Vector3<f64>, radius: f64) -> f64 {
+        (point - self.values(at)[0]).norm() / (radius + self.excess_at(at))
+    }
+
+    /// Returns the smallest part that contains the closest point, and its distance relative to the sum of the radii.
+    pub(super) fn closest_part(&self, point: &Vector3<f64>, radius: f64) -> (FacePart, f64) {
+        let at = self.closest(FacePart::Surface, point);
+        (self.part_at(at), self.relative(at, point, radius))
+    }
+
+    /// Returns the parts nearer to a point than a multiple of the sum of the radii, without those whose weights at a common closest point
+    /// have the sum 0.
     pub(super) fn acting_parts(
         &self,
         weights: &PartWeights,
         point: &Vector3<f64>,
-        distance: f64,
+        (radius, multiple): (f64, f64),
     ) -> SmallVec<[FacePart; FacePart::COUNT]> {
         let (mut sums, mut near) = ([0.0; FacePart::COUNT], SmallVec::<[_; FacePart::COUNT]>::new());
         for (number, weight) in weights.iter().enumerate().filter(|(_, weight)| **weight != 0.0) {
             let part = FacePart::new(number);
             let at = self.closest(part, point);
-            if (point - self.values(at)[0]).norm() < distance {
+            if self.relative(at, point, radius) < multiple {
                 let place = self.part_at(at).number();
                 sums[place] += weight;
                 near.push((part, place));
@@ -90,21 +119,28 @@ impl FaceSurface {
     pub(super) fn foot(&self, part: FacePart, point: &Vector3<f64>) -> Foot<2> {
         let at = self.closest(part, point);
         let values = self.values(at);
-        let [r, x, y, ..] = values;
-        let d = point - r;
+        let d = point - values[0];
+        let tangents = [&values[1], &values[2]];
+        let ((_, bent, _), [x, y]) = match &self.excess {
+            None => (derivatives(&d, &values), tangents.map(Vector3::clone)),
+            Some(excess) => {
+                let e = self.shape.offset_values(at, excess);
+                (offset_derivatives(&d, &values, &e), along(&d, tangents))
+            }
+        };
         let compliance = match self.edges_at(at)[..] {
-            [] => derivatives(&d, &values).1.try_inverse().unwrap_or_else(Matrix2::zeros),
+            [] => bent.try_inverse().unwrap_or_else(Matrix2::zeros),
             [edge] => {
                 // Edges are straight.
                 let [from, to] = [edge, (edge + 1) % self.nodes.len()].map(|k| self.shape.corners()[k]);
-                let along = [to[0] - from[0], to[1] - from[1]];
-                let slope = x * along[0] + y * along[1];
-                Matrix2::from_fn(|a, b| along[a] * along[b]) / slope.norm_squared()
+                let edge = [to[0] - from[0], to[1] - from[1]];
+                let slope = x * edge[0] + y * edge[1];
+                Matrix2::from_fn(|a, b| edge[a] * edge[b]) / slope.norm_squared()
             }
             _ => Matrix2::zeros(),
         };
         let compliance = [0, 1].map(|a| [0, 1].map(|b| compliance[(a, b)]));
-        Foot { at, share: 1.0, d, slopes: [x, y], compliance }
+        Foot { at, share: 1.0, d, excess: self.excess_at(at), slopes: [x, y], compliance }
     }
 
     /// Returns the edges on which a place is: none inside, two at a node.
@@ -122,12 +158,16 @@ impl TargetSurface for FaceSurface {
         &self.nodes
     }
 
-    fn between(&self, to: &Self, part: f64) -> Self {
-        let nodes = self.nodes.iter().zip(&to.nodes).map(|(a, b)| a + (b - a) * part).collect();
-        Self { shape: self.shape, nodes }
+    fn largest_excess(&self) -> f64 {
+        self.excess.iter().flatten().copied().fold(0.0, f64::max)
     }
 
-    fn distance(&self, point: &Vector3<f64>) -> f64 {
-        self.closest_part(point).1
+    fn between(&self, to: &Self, part: f64) -> Self {
+        let nodes = self.nodes.iter().zip(&to.nodes).map(|(a, b)| a + (b - a) * part).collect();
+        Self { shape: self.shape, nodes, excess: self.excess.clone() }
+    }
+
+    fn relative_distance(&self, point: &Vector3<f64>, radius: f64) -> f64 {
+        self.closest_part(point, radius).1
     }
 }

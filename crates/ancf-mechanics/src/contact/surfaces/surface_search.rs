@@ -33,7 +33,9 @@ pub struct SurfaceContacts<T> {
 struct PointSource {
     body: usize,
     points: Range<usize>,
+    /// Smallest radius of the body, and the largest one of the points.
     radius: f64,
+    reach: f64,
 }
 
 /// Element of a shell.
@@ -41,6 +43,7 @@ struct PointSource {
 struct Target<T> {
     shell: usize,
     geometry: T,
+    /// Smallest radius of the shell.
     radius: f64,
 }
 
@@ -62,8 +65,9 @@ impl<T: SurfaceTarget> SurfaceContacts<T> {
             for part in body.points.chunks(body.count.max(1)) {
                 let first = points.len();
                 points.extend_from_slice(part);
-                let points = first..points.len();
-                sources.push(PointSource { body: number, points, radius: body.radius });
+                let radius = body.radius;
+                let reach = part.iter().map(|point| radius + point.excess).fold(radius, f64::max);
+                sources.push(PointSource { body: number, points: first..points.len(), radius, reach });
             }
         }
         let of = |(number, shell): (usize, &ContactGeometry)| {
@@ -84,11 +88,12 @@ impl<T: SurfaceTarget> SurfaceContacts<T> {
     fn overlapping(&self, s: &State) -> Vec<ContactPair> {
         let (positions, surfaces, mut found) = (self.positions(s), self.surfaces(s), Vec::new());
         self.visit_candidates(&positions, &surfaces, 0.0, |[source, target]| {
-            let limit = (1.0 - JOINED_OVERLAP) * self.radii([source, target]);
-            let hull = hull(&surfaces[target], limit);
+            let limit = 1.0 - JOINED_OVERLAP;
+            let hull = hull(&surfaces[target], limit, self.reach([source, target]));
             for i in self.sources[source].points.clone() {
                 let (point, surface) = (&positions[i], &surfaces[target]);
-                if hull.contains(point) && surface.distance(point) < limit {
+                let radius = self.radius([source, target], i);
+                if hull.contains(point) && surface.relative_distance(point, radius) < limit {
                     found.push([i as u32, target as u32]);
                 }
             }
@@ -111,9 +116,19 @@ impl<T: SurfaceTarget> SurfaceContacts<T> {
         self.sources.partition_point(|source| source.points.end <= point)
     }
 
-    /// Returns the sum of the radii.
+    /// Returns the sum of the smallest radii.
     fn radii(&self, [source, target]: Candidate) -> f64 {
         self.sources[source].radius + self.targets[target].radius
+    }
+
+    /// Returns the sum of the radius of a point and the smallest one of a shell.
+    fn radius(&self, candidate: Candidate, point: usize) -> f64 {
+        self.radii(candidate) + self.points[point].excess
+    }
+
+    /// Returns the largest sum of the radii of the points of a source and the smallest one of a shell.
+    fn reach(&self, [source, target]: Candidate) -> f64 {
+        self.sources[source].reach + self.targets[target].radius
     }
 
     fn is_joined(&self, point: usize, target: usize) -> bool {
@@ -138,10 +153,10 @@ impl<T: SurfaceTarget> SurfaceContacts<T> {
         visit: impl FnMut(Candidate),
     ) {
         let of_source = |source: &PointSource| {
-            AlignedBox::around(&positions[source.points.clone()], source.radius * (1.0 + margin))
+            AlignedBox::around(&positions[source.points.clone()], source.reach * (1.0 + margin))
         };
         let of_target =
-            |(surface, target): (&T::Surface, &Target<T>)| hull(surface, target.radius * (1.0 + margin));
+            |(surface, target): (&T::Surface, &Target<T>)| hull(surface, 1.0 + margin, target.radius);
         let sources = self.sources.iter().map(of_source);
         self.visit_pairs(sources.chain(surfaces.iter().zip(&self.targets).map(of_target)).collect(), visit);
     }
@@ -164,16 +179,16 @@ impl<T: SurfaceTarget> SurfaceContacts<T> {
         surface: &T::Surface,
         mut visit: impl FnMut(usize, f64),
     ) {
-        let radii = self.radii(candidate);
-        let hull = hull(surface, 2.0 * radii);
-        let places = self.sources[source].points.clone().map(|i| (i, positions[i]));
-        let mut near = places.filter(|(i, point)| hull.contains(point) && !self.is_joined(*i, target));
+        let reach = self.reach(candidate);
+        let hull = hull(surface, 2.0, reach);
+        let radius = |i: usize| self.radius(candidate, i);
+        let places = self.sources[source].points.clone().map(|i| (i, positions[i], radius(i)));
+        let mut near = places.filter(|(i, point, _)| hull.contains(point) && !self.is_joined(*i, target));
         let geometry = &self.targets[target].geometry;
         let first = target - geometry.number();
         let is_joined = |i: usize, element: usize| self.is_joined(i, first + element);
-        geometry.visit_near(surface, radii, &mut near, &is_joined, &mut |i, distance| {
-            visit(i, distance / radii - 1.0);
-        });
+        geometry
+            .visit_near(surface, reach, &mut near, &is_joined, &mut |i, distance| visit(i, distance - 1.0));
     }
 
     /// Visits the near points of all candidates with their distances.
@@ -204,10 +219,11 @@ impl<T: SurfaceTarget> SurfaceContacts<T> {
         let of_source = |source: &PointSource| {
             let places = source.points.clone();
             let all: Vec<_> = starts[places.clone()].iter().chain(&stops[places]).copied().collect();
-            AlignedBox::around(&all, source.radius)
+            AlignedBox::around(&all, source.reach)
         };
         let of_target = |k: usize| {
-            hull(&before[k], self.targets[k].radius).with(&hull(&after[k], self.targets[k].radius))
+            let own = |surface| hull(surface, 1.0, self.targets[k].radius);
+            own(&before[k]).with(&own(&after[k]))
         };
         let targets = (0..self.targets.len()).map(of_target);
         let boxes = self.sources.iter().map(of_source).chain(targets).collect();
@@ -227,7 +243,7 @@ impl<T: SurfaceTarget> SurfaceContacts<T> {
                 let distance = |part: f64| {
                     let surface = before[target].between(&after[target], part);
                     let point = starts[i] + moved * part;
-                    surface.distance(&point) / radii
+                    surface.relative_distance(&point, self.radius(candidate, i))
                 };
                 let [first, last] = [0.0, 1.0].map(distance);
                 let parts = (1..count as usize).map(|k| k as f64 / count);

@@ -11,7 +11,7 @@ use crate::contact::parts::{
     AlignedBox, ClosestContact, ContactGeometry, ContactPartners, ContactPoint, ContactPose, Foot,
     FootErrors, FootWeight, PointContact, SurfaceGeometry, share, sorted,
 };
-use crate::kinematics::{CONVEX, derivatives};
+use crate::kinematics::{BicubicNet, CONVEX};
 use crate::laws::ContactLaw;
 use crate::shells::{ElementSurface, VECTORS};
 
@@ -26,7 +26,11 @@ pub struct ThinPartners {
     surface: ElementSurface,
     /// Free edges of the element: ξ = 0 and ξ = 1, η = 0 and η = 1.
     free: [[bool; 2]; 2],
+    /// Half the thickness of the element less the smallest one, if it varies.
+    excess: Option<Arc<BicubicNet<f64>>>,
     points: Vec<ContactPoint>,
+    /// Largest radius of the points less the smallest one.
+    largest: f64,
 }
 
 impl SurfaceTarget for SurfaceGeometry {
@@ -37,26 +41,26 @@ impl SurfaceTarget for SurfaceGeometry {
     }
 
     fn surface(&self, s: &State) -> BicubicSurface {
-        BicubicSurface::new(&self.surface, &s.q, &Vector3::zeros())
+        BicubicSurface::new(&self.surface, self.excess.as_ref(), &s.q, &Vector3::zeros())
     }
 
     fn visit_near(
         &self,
         surface: &BicubicSurface,
-        distance: f64,
-        points: &mut dyn Iterator<Item = (usize, Vector3<f64>)>,
+        reach: f64,
+        points: &mut dyn Iterator<Item = (usize, Vector3<f64>, f64)>,
         _: &dyn Fn(usize, usize) -> bool,
         visit: &mut dyn FnMut(usize, f64),
     ) {
         let mut planes = None;
-        for (i, point) in points {
-            let planes = planes.get_or_insert_with(|| EdgePlanes::new(surface, self.free, distance));
+        for (i, point, radius) in points {
+            let planes = planes.get_or_insert_with(|| EdgePlanes::new(surface, self.free, reach));
             if planes.are_passed(&point) {
                 continue;
             }
             if let Some(foot) = Foot::on_surface(&point, surface, self.free) {
-                let found = foot.d.norm();
-                if found <= 2.0 * distance {
+                let found = foot.d.norm() / (radius + foot.excess);
+                if found <= 2.0 {
                     visit(i, found);
                 }
             }
@@ -70,7 +74,7 @@ impl SurfaceTarget for SurfaceGeometry {
         radius: f64,
         law: ContactLaw,
     ) -> Arc<dyn Term> {
-        Arc::new(ThinContact::new(points, &self.surface, self.free, radius, law))
+        Arc::new(ThinContact::with_element(points, self, radius, law))
     }
 
     fn number(&self) -> usize {
@@ -89,11 +93,35 @@ impl ThinContact {
         radius: f64,
         law: ContactLaw,
     ) -> Self {
+        let geometry = SurfaceGeometry { number: 0, surface: surface.clone(), free, excess: None };
+        Self::with_element(points, &geometry, radius, law)
+    }
+
+    /// Creates the contact of some points with an element of another thin shell, if there is such an element.
+    ///
+    /// `radius` is the sum of the smallest radii of both bodies.
+    pub fn of_element(
+        points: &[ContactPoint],
+        (shell, element): (&ContactGeometry, usize),
+        radius: f64,
+        law: ContactLaw,
+    ) -> Option<Self> {
+        Some(Self::with_element(points, shell.surfaces.get(element)?, radius, law))
+    }
+
+    fn with_element(
+        points: &[ContactPoint],
+        SurfaceGeometry { surface, free, excess, .. }: &SurfaceGeometry,
+        radius: f64,
+        law: ContactLaw,
+    ) -> Self {
         let of_points = points.iter().flat_map(|point| point.place.coordinates());
         let coordinates = sorted(of_points.chain(surface.coordinates()));
+        let largest = points.iter().map(|point| point.excess).fold(0.0, f64::max);
         let local = |point: &ContactPoint| point.at(point.place.within(&coordinates));
         let points = points.iter().map(local).collect();
-        let partners = ThinPartners { surface: surface.within(&coordinates), free, points };
+        let (surface, excess) = (surface.within(&coordinates), excess.clone());
+        let partners = ThinPartners { surface, free: *free, excess, points, largest };
         Self { partners, coordinates, radius, law }
     }
 }
@@ -108,7 +136,7 @@ impl Foot<2> {
         let at = surface.closest(point);
         let values = surface.at(at);
         let d = point - values[0];
-        let (gradient, bent, metric) = derivatives(&d, &values);
+        let ((gradient, bent, metric), slopes) = surface.slopes(&d, &values, at);
         let moves = [0, 1].map(|k| at[k] > 0.0 && at[k] < 1.0);
         let mut share_of_all = 1.0;
         for k in 0..2 {
@@ -131,7 +159,8 @@ impl Foot<2> {
             }
         };
         let compliance = [0, 1].map(|a| [0, 1].map(|b| compliance[(a, b)]));
-        Some(Self { at, share: share_of_all, d, slopes: [values[1], values[2]], compliance })
+        let excess = surface.excess_at(at);
+        Some(Self { at, share: share_of_all, d, excess, slopes, compliance })
     }
 }
 
@@ -154,8 +183,9 @@ impl ContactPartners<2> for ThinPartners {
 
     fn pose<'a>(&'a self, q: &'a [f64], (radius, law): (f64, &'a ContactLaw)) -> ThinPose<'a> {
         let origin = self.surface.first_node(q);
-        let surface = BicubicSurface::new(&self.surface, q, &origin);
-        let (hull, planes) = (hull(&surface, radius), EdgePlanes::new(&surface, self.free, radius));
+        let surface = BicubicSurface::new(&self.surface, self.excess.as_ref(), q, &origin);
+        let reach = radius + self.largest;
+        let (hull, planes) = (hull(&surface, 1.0, reach), EdgePlanes::new(&surface, self.free, reach));
         ThinPose { partners: self, radius, law, q, origin, surface, hull, planes }
     }
 }
@@ -178,7 +208,7 @@ impl ContactPose<2> for ThinPose<'_> {
     }
 
     fn with_foot(&self, [_, i]: [usize; 2], visit: &mut dyn FnMut(&PointContact<'_, 2>)) {
-        let ContactPoint { place, extent, .. } = &self.partners.points[i];
+        let ContactPoint { place, extent, excess } = &self.partners.points[i];
         let Some(foot) = Foot::on_surface(&self.point(i), &self.surface, self.partners.free) else { return };
         let [values, x, y] = ElementSurface::weights(foot.at);
         let of_point =
@@ -187,7 +217,7 @@ impl ContactPose<2> for ThinPose<'_> {
         let of_surface =
             (0..VECTORS).map(|a| FootWeight { first: vectors[a], place: -values[a], slopes: [x[a], y[a]] });
         let weights: SmallVec<[FootWeight<2>; 32]> = of_point.chain(of_surface).collect();
-        let (law, radius) = (self.law, self.radius);
+        let (law, radius) = (self.law, self.radius + excess + foot.excess);
         visit(&PointContact { law, radius, size: *extent, foot, weights: &weights, range: 1.0 });
     }
 

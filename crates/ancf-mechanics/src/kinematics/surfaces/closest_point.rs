@@ -21,23 +21,33 @@ pub(crate) fn closest_point(
     start: [f64; 2],
     surface: impl Fn([f64; 2]) -> SurfaceValues,
 ) -> [f64; 2] {
+    let distance = |values: &SurfaceValues| (point - values[0]).norm_squared();
+    least(start, surface, distance, |values| derivatives(&(point - values[0]), values))
+}
+
+/// Finds (ξ, η) of the least value of a function of some values on a surface. `slopes` returns its scaled derivatives.
+pub(super) fn least<V: Copy>(
+    start: [f64; 2],
+    values_at: impl Fn([f64; 2]) -> V,
+    value: impl Fn(&V) -> f64,
+    slopes: impl Fn(&V) -> SurfaceSlopes,
+) -> [f64; 2] {
     let mut at = start;
-    let mut values = surface(at);
+    let mut values = values_at(at);
     for _ in 0..ITERATIONS {
-        let d = point - values[0];
-        let (step, is_newton) = increment(&d, &values, at);
+        let (step, is_newton) = increment(&slopes(&values), at);
         let is_near = is_newton && step.iter().all(|x| x.abs() < NEAR);
-        let square = if is_near { f64::INFINITY } else { d.norm_squared() };
+        let bound = if is_near { f64::INFINITY } else { value(&values) };
         let (mut part, mut next, mut found) = (1.0, at, values);
         for _ in 0..HALVINGS {
             next = [0, 1].map(|k| (at[k] + part * step[k]).clamp(0.0, 1.0));
-            found = surface(next);
-            if (point - found[0]).norm_squared() <= square {
+            found = values_at(next);
+            if value(&found) <= bound {
                 break;
             }
             part *= 0.5;
         }
-        if (point - found[0]).norm_squared() > square {
+        if value(&found) > bound {
             break;
         }
         let moved = (0..2).map(|k| (next[k] - at[k]).abs()).fold(0.0, f64::max);
@@ -49,11 +59,11 @@ pub(crate) fn closest_point(
     at
 }
 
-/// Computes the gradient d·r_α and the negative second derivative r_α·r_β − d·r_αβ of half the squared distance, and the metric.
-pub(crate) fn derivatives(
-    d: &Vector3<f64>,
-    values: &SurfaceValues,
-) -> (Vector2<f64>, Matrix2<f64>, Matrix2<f64>) {
+/// Negative gradient and second derivative of a function on a surface, and the metric of the surface.
+pub(crate) type SurfaceSlopes = (Vector2<f64>, Matrix2<f64>, Matrix2<f64>);
+
+/// Computes the negative gradient d·r_α and the second derivative r_α·r_β − d·r_αβ of half the squared distance, and the metric.
+pub(crate) fn derivatives(d: &Vector3<f64>, values: &SurfaceValues) -> SurfaceSlopes {
     let [_, a, b, aa, bb, ab] = values;
     let metric = Matrix2::new(a.dot(a), a.dot(b), a.dot(b), b.dot(b));
     let bent = metric - Matrix2::new(d.dot(aa), d.dot(ab), d.dot(ab), d.dot(bb));
@@ -69,9 +79,8 @@ fn are_free(gradient: &Vector2<f64>, at: [f64; 2]) -> [bool; 2] {
 }
 
 /// Returns the increment towards the closest point, and true if it is that of Newton's method.
-fn increment(d: &Vector3<f64>, values: &SurfaceValues, at: [f64; 2]) -> ([f64; 2], bool) {
-    let (gradient, bent, metric) = derivatives(d, values);
-    match are_free(&gradient, at) {
+fn increment((gradient, bent, metric): &SurfaceSlopes, at: [f64; 2]) -> ([f64; 2], bool) {
+    match are_free(gradient, at) {
         [true, true] => {
             let is_convex = bent[(0, 0)] > CONVEX * metric[(0, 0)]
                 && bent.determinant() > CONVEX * CONVEX * metric.determinant();

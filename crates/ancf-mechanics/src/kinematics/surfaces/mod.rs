@@ -1,5 +1,9 @@
-//! Closest points of surfaces.
+//! Bicubic surfaces, and closest points of surfaces and their offsets.
 
+mod bicubic_net;
 mod closest_point;
+mod offset;
 
-pub(crate) use closest_point::{CONVEX, SurfaceValues, closest_point, derivatives};
+pub(crate) use bicubic_net::BicubicNet;
+pub(crate) use closest_point::{CONVEX, SurfaceSlopes, SurfaceValues, closest_point, derivatives};
+pub(crate) use offset::{OffsetValues, along, closest_offset_point, offset_derivatives};

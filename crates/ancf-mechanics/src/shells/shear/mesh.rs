@@ -290,8 +290,15 @@ impl ShearShellMesh {
     }
 
     /// Returns the thickness at a place, relative to that of the whole shell.
-    fn scale_at(&self, place: SurfacePlace) -> f64 {
+    pub(crate) fn relative_thickness(&self, place: SurfacePlace) -> f64 {
         self.sections.as_ref().map_or(1.0, |field| field.at(place.element, place.at).scale)
+    }
+
+    /// Returns the relative thickness at the nodes of an element; `None` if it is constant.
+    pub(crate) fn relative_thicknesses(&self, element: usize) -> Option<SmallVec<[f64; NODES]>> {
+        self.sections.as_ref()?;
+        let corners = self.faces[element].shape().corners().iter();
+        Some(corners.map(|at| self.relative_thickness(SurfacePlace { element, at: *at })).collect())
     }
 
     /// Returns a grid of 2 `cells` + 1 points in each direction of each element, line by line, with their reference areas and relative
@@ -303,7 +310,7 @@ impl ShearShellMesh {
             self.faces[element].grid_rule(cells).into_iter().map(move |(at, weight)| {
                 let place = SurfacePlace { element, at };
                 let [t, s] = self.tangents(place).map(|tangent| tangent.reference());
-                (self.point(place), [t.cross(&s).norm() * weight, self.scale_at(place)])
+                (self.point(place), [t.cross(&s).norm() * weight, self.relative_thickness(place)])
             })
         })
     }
@@ -314,7 +321,7 @@ impl ShearShellMesh {
             let place = SurfacePlace { element, at: *at };
             let [a, b] = self.tangents(place);
             let area = a.reference().cross(&b.reference()).norm();
-            ([self.point(place), a, b], [weight * area, self.scale_at(place)])
+            ([self.point(place), a, b], [weight * area, self.relative_thickness(place)])
         };
         self.faces[element].shape().points().iter().map(of).collect()
     }

@@ -20,4 +20,5 @@ pub use mesh::{ShearShellMesh, SurfacePlace};
 pub use profile::ShearMedium;
 pub use stress::ShearStressField;
 pub use surface::NearestPoint;
+pub(crate) use surface::along_offset_edge;
 pub use topology::{MeshTopology, TopologyDefect};

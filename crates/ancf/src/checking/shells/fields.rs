@@ -1,9 +1,7 @@
 //! Checks of the thickness and the fibres of shells that vary.
 
 use crate::errors::{Finding, finding, formula_error, number};
-use crate::model::{
-    Body, Contact, FieldDefect, FieldShell, IndexedModel, ShearShell, Shell, ShellThickness, ThicknessField,
-};
+use crate::model::{FieldDefect, FieldShell, ShearShell, Shell, ShellThickness, ThicknessField};
 
 /// Largest number of elements of a shell whose section varies: each point is checked.
 const LARGEST: usize = 1_000_000;
@@ -66,21 +64,4 @@ fn rule_of_fields(
     };
     let error = finding(format!("{path}.{key}"), format!("{value} at {place}"), expected);
     Some(error.rests_on([format!("{path}.{surface}")]))
-}
-
-/// Rejects contact of bodies with each other that would include a thin shell whose thickness varies.
-pub(super) fn rules_of_contacts(model: &IndexedModel<'_>) -> Vec<Finding> {
-    let rule = |(i, contact): (usize, &Contact)| {
-        if contact.with.obstacle().is_some() {
-            return None;
-        }
-        let bodies = contact.bodies(model).into_iter().map(|k| &model.bodies[k]);
-        let varies = |body: &&Body| body.field_shell().is_some_and(|shell| shell.has_varying_thickness());
-        let varying = bodies.filter(varies);
-        let name = varying.map(|body| body.name()).next()?;
-        let expected = "shells of constant thickness in contact with other bodies; one whose thickness varies touches obstacles only";
-        let error = finding(format!("contacts[{i}]"), format!("the shell \"{name}\""), expected);
-        Some(error.rests_on(["bodies".into()]))
-    };
-    model.contacts.iter().enumerate().filter_map(rule).collect()
 }

@@ -46,7 +46,6 @@ pub(crate) fn shells(model: &IndexedModel<'_>) -> Vec<Finding> {
     findings.extend(loads_of(model).filter_map(|(path, load)| rule_of_load(model, &path, load)));
     findings.extend(rules_of_probes(model));
     findings.extend(rules_of_contacts(model));
-    findings.extend(fields::rules_of_contacts(model));
     findings.extend(rule_of_errors(model));
     findings
 }

@@ -2,11 +2,14 @@
 
 use ancf::mechanics::contact::{ContactGeometry, ContactLaw, ContactPoint, FaceContact};
 use ancf::mechanics::kinematics::Marker;
-use ancf::mechanics::shells::{Face, Laminate, Ply, PlyElasticity, ShearMedium, ShearShellMesh};
-use ancf::solver::equations::{Local, Term};
-use nalgebra::Vector3;
+use ancf::mechanics::shells::{
+    Face, Laminate, LocalSection, Ply, PlyElasticity, SectionField, ShearMedium, ShearShellMesh,
+};
+use ancf::solver::equations::{Local, Term, Weights};
+use nalgebra::{Matrix3, Vector3};
 
 use crate::common::random::Random;
+use crate::common::sample::{Sample, tangent};
 
 const RADIUS: f64 = 0.3;
 const LAW: ContactLaw =
@@ -14,6 +17,11 @@ const LAW: ContactLaw =
 
 /// Mesh of 3 × 3 cells with heights of its nodes, of quadrilaterals or triangles.
 fn mesh(heights: impl FnMut() -> f64, is_split: bool) -> ContactGeometry {
+    tapered_mesh(heights, is_split, [0.0; 2])
+}
+
+/// Mesh whose half thickness rises by given slopes from ½ at the first corner.
+fn tapered_mesh(heights: impl FnMut() -> f64, is_split: bool, slopes: [f64; 2]) -> ContactGeometry {
     let mut heights = heights;
     let nodes: Vec<_> =
         (0..16).map(|k| Vector3::new(f64::from(k % 4), f64::from(k / 4), heights())).collect();
@@ -21,7 +29,7 @@ fn mesh(heights: impl FnMut() -> f64, is_split: bool) -> ContactGeometry {
         false => vec![Face::Quad([k, k + 1, k + 5, k + 4])],
         true => vec![Face::Triangle([k, k + 1, k + 5]), Face::Triangle([k, k + 5, k + 4])],
     };
-    let faces = (0..9).flat_map(|k| split(k / 3 * 4 + k % 3)).collect();
+    let faces: Vec<Face> = (0..9).flat_map(|k| split(k / 3 * 4 + k % 3)).collect();
     let ply =
         Ply { elasticity: PlyElasticity::isotropic(7.0, 0.3), density: 2.0, thickness: 0.1, angle: 0.0 };
     let medium = ShearMedium {
@@ -31,7 +39,17 @@ fn mesh(heights: impl FnMut() -> f64, is_split: bool) -> ContactGeometry {
         mass_damping: 0.0,
         gravity: Vector3::zeros(),
     };
-    ContactGeometry::shear_shell(&ShearShellMesh::new(3, &nodes, &[Vector3::z(); 16], faces, &medium), 0.1, 5)
+    let (of_faces, of_nodes) = (faces.clone(), nodes.clone());
+    let scale = move |element: usize, at: [f64; 2]| {
+        let face = &of_faces[element];
+        let weights = face.weights(at);
+        let place: Vector3<f64> =
+            face.nodes().iter().zip(weights).map(|(node, weight)| of_nodes[*node] * weight).sum();
+        LocalSection { scale: 1.0 + 2.0 * (slopes[0] * place.x + slopes[1] * place.y), ..LocalSection::WHOLE }
+    };
+    let sections = (slopes != [0.0; 2]).then(|| SectionField::new(scale));
+    let mesh = ShearShellMesh::varying(3, (&nodes, &[Vector3::z(); 16]), faces, &medium, sections);
+    ContactGeometry::shear_shell(&mesh, 1.0, 5)
 }
 
 /// Contacts of a movable point, whose displacement is the first three coordinates, with all elements.
@@ -72,6 +90,18 @@ fn force(contacts: &[FaceContact], point: &Vector3<f64>) -> Vector3<f64> {
     Vector3::new(component(0), component(1), component(2))
 }
 
+/// Derivative of the force on the point, reversed.
+fn stiffness(contacts: &[FaceContact], point: &Vector3<f64>) -> Matrix3<f64> {
+    let of = |term: &FaceContact| {
+        let mut s = Sample::rest(term);
+        for (q, c) in s.q.iter_mut().zip(term.coordinates()).filter(|(_, c)| **c < 3) {
+            *q = point[*c];
+        }
+        tangent(term, &s, Weights::STIFFNESS).fixed_view::<3, 3>(0, 0).into_owned()
+    };
+    contacts.iter().map(of).sum()
+}
+
 /// Over a flat mesh the potential is that of the distance from the plane, above elements, edges and nodes, and beyond the free
 /// edges that of the distance from the edge.
 #[test]
@@ -96,14 +126,56 @@ fn flat_meshes_count_each_point_once() {
     }
 }
 
+/// Over a flat mesh whose thickness varies the surface is a plane that is tilted to the middle: at the height z from the middle the gap is
+/// √(1 − s²) z − e, with the slope s of half the thickness. The force is normal to this plane.
+#[test]
+fn wedges_are_planes() {
+    let (mut random, slopes) = (Random(14), [0.2, -0.1]);
+    let rise = f64::sqrt(1.0 - 0.05);
+    for is_split in [false, true] {
+        let all = contacts(&tapered_mesh(|| 0.0, is_split, slopes), LAW);
+        // The smallest half thickness is that of the corner (0, 3).
+        let excess = |x: f64, y: f64| slopes[0] * x + slopes[1] * (y - 3.0);
+        for case in 0..500 {
+            let [x, y] = [0, 1].map(|_| 1.5 + random.number());
+            let x = if case % 3 == 0 { x.round() } else { x };
+            let height = (RADIUS + excess(x, y)) / rise - 0.1 * (1.1 + random.number());
+            let point = Vector3::new(x, y, height);
+            let gap = rise * height - excess(x, y) - RADIUS;
+            let expected = LAW.energy(gap);
+            assert!((energy(&all, &point) - expected).abs() < 1e-13, "{point}: {expected}");
+            let exact = Vector3::new(-slopes[0], -slopes[1], rise) * LAW.pressure(gap);
+            assert!((force(&all, &point) - exact).norm() < 1e-11, "{point}: {}", force(&all, &point));
+            let h = 1e-5;
+            let softening = |k: usize| {
+                let moved = |sign: f64| LAW.pressure(gap + sign * h * exact.normalize()[k]);
+                (moved(1.0) - moved(-1.0)) / (2.0 * h)
+            };
+            let normal = exact.try_normalize(0.0).unwrap_or_else(Vector3::zeros);
+            if gap < -0.02 {
+                let stiffness = stiffness(&all, &point);
+                for k in 0..3 {
+                    let expected = normal * -softening(k);
+                    assert!(
+                        (stiffness.column(k) - expected).norm() < 1e-7,
+                        "{point}: {stiffness} {expected}"
+                    );
+                }
+            }
+        }
+    }
+}
+
 /// Along lines over ridges, valleys and nodes, at more than half a radius, the force is continuous, while the closest element changes.
 #[test]
 fn forces_are_continuous_at_kinks() {
     let mut random = Random(12);
-    for is_split in [false, true] {
+    for (is_split, slopes) in
+        [(false, [0.0; 2]), (true, [0.0; 2]), (false, [0.02, 0.01]), (true, [0.02, 0.01])]
+    {
         let heights: Vec<f64> = (0..16).map(|_| 0.1 * random.number()).collect();
         let mut next = heights.iter().copied();
-        let all = contacts(&mesh(|| next.next().unwrap_or_default(), is_split), LAW);
+        let all = contacts(&tapered_mesh(|| next.next().unwrap_or_default(), is_split, slopes), LAW);
         let mut largest: f64 = 0.0;
         for _ in 0..40 {
             let [from, to] = [0, 1].map(|_| {
@@ -136,7 +208,9 @@ fn losses_are_positive() {
         let law = ContactLaw { damping, friction, ..LAW };
         let mut acting = 0;
         for case in 0..30 {
-            let all = contacts(&mesh(|| 0.25 * random.number(), case % 2 == 0), law);
+            let slopes = if case % 3 == 0 { [0.02, 0.01] } else { [0.0; 2] };
+            let shell = tapered_mesh(|| 0.25 * random.number(), case % 2 == 0, slopes);
+            let all = contacts(&shell, law);
             for _ in 0..20 {
                 let point = Vector3::new(1.5 + random.number(), 1.5 + random.number(), 0.3 * random.number());
                 let v: Vec<f64> = (0..3 + 16 * 6).map(|_| random.number()).collect();

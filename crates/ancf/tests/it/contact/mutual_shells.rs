@@ -4,7 +4,7 @@ use ancf::model::{At, Place, Probe};
 use ancf::record::Series;
 use ancf::{Model, Scales};
 
-use super::models::{CONTACT, Elements, MATERIALS, last, middle, run_model, sheet, table};
+use super::models::{CONTACT, Elements, MATERIALS, clamps, last, mesh, middle, run_model, sheet, table};
 use crate::common::assertions::assert_near;
 use crate::common::models::parse;
 use Elements::{Quads, Thin, Triangles};
@@ -55,6 +55,48 @@ fn sheets_slide_on_a_plate() {
         let expected = (speed - friction * 2.0) * factor;
         assert_near("v", last(&series, "p.vx"), expected, 2e-3 + 1e-2 * friction);
         assert_near("z", last(&series, "p.z"), 0.015 - depth, 2e-5);
+    }
+}
+
+/// A sheet slides down a plate whose half thickness e rises by s per length: its surface has the angle θ with sin θ = s to the middle surface.
+/// The acceleration is g sin θ along the slope, and the depth that under ρ h g cos θ.
+#[test]
+fn sheets_slide_down_wedges() {
+    let (s, thickness) = (0.1, 0.004);
+    let cos = f64::sqrt(1.0 - s * s);
+    let depth = 1000.0 * thickness * 10.0 * cos / 4e6 + 0.5e-5;
+    let height = |x: f64| (0.01 + s * (x + 0.3) + 0.5 * thickness - depth) / cos;
+    let wedge =
+        "thickness = { kind = \"expression\", text = \"2*(0.01 + 0.1*(x + 0.3))\" }\nmaterial = \"stiff\"";
+    let keys = format!("thickness = {thickness}\nmaterial = \"soft\"");
+    for (below, above) in [(Thin, Thin), (Quads, Thin), (Thin, Quads), (Triangles, Quads), (Quads, Triangles)]
+    {
+        let ([x, y], [a, b]) = ([-0.03, -0.13], [0.2, 0.2]);
+        let upper = match above {
+            Thin => format!(
+                "[[bodies]]\nkind = \"shell\"\nname = \"p\"\nelements = [2, 2]\n{keys}\n\
+                 surface = {{ kind = \"flat\", corner = [{x}, {y}, {}], side_u = [{}, 0, {}], side_v = [0, {b}, 0] }}\n",
+                height(x),
+                a * cos,
+                a * s
+            ),
+            _ => mesh(above, "p", [2, 2], &keys, |u, v| {
+                let x = x + a * cos * u;
+                [x, y + b * v, height(x)]
+            }),
+        };
+        let lower = sheet(below, "table", ([-0.3, -0.3, 0.0], [0.6, 0.6]), [4, 3], wedge) + &clamps("table");
+        let text = format!(
+            "gravity = [0, 0, -10]\n{MATERIALS}{lower}{upper}{CONTACT}{}\
+             [analysis]\nkind = \"dynamics\"\nduration = 0.2\nstep = 1e-3\n",
+            middle(above, "p")
+        );
+        let series = run_model(&parse(&text));
+        let x = series.column("p.x").unwrap();
+        let way = 0.5 * 10.0 * s * 0.04;
+        let what = format!("{below:?}, {above:?}");
+        assert_near(&format!("x, {what}"), x.last().unwrap() - x[0], -way * cos, 1e-4);
+        assert_near(&format!("z, {what}"), last(&series, "p.z"), height(*x.last().unwrap()), 2e-5);
     }
 }
 

@@ -69,3 +69,24 @@ fn shells_that_overlap_are_named() {
     let apart = sheet("s", 0.0) + &sheet("t", 0.1);
     assert!(!warnings(&apart, &keys).iter().any(|warning| warning.contains("overlap")));
 }
+
+/// A thickness that elements do not resolve, or that is steep, is named. A resolved one is not.
+#[test]
+fn thicknesses_that_vary_fast_are_named() {
+    let found = |text: &str, elements: u32| {
+        let formula = format!("thickness = {{ kind = \"expression\", text = \"{text}\" }}");
+        let thin = format!(
+            "[[bodies]]\nkind = \"shell\"\nname = \"t\"\nelements = [{elements}, 1]\n{formula}\nmaterial = \"m\"\n\
+             motion = {{ velocity = [0, 0, 1] }}\n\
+             surface = {{ kind = \"flat\", corner = [-1, -1, 0], side_u = [2, 0, 0], side_v = [0, 2, 0] }}\n"
+        );
+        [thin, sheet("s", 0.0).replace("thickness = 0.1", &formula)].map(|body| {
+            let all = warnings(&body, &format!("{CONTACT}surface_stiffness = 1e4\n"));
+            all.iter().any(|warning| warning.contains("of half the thickness, which varies fast"))
+        })
+    };
+    assert_eq!(found("0.1*(2 + x)", 2), [false; 2]);
+    assert_eq!(found("0.1*(1 + 0.5*sin(9*x))", 2), [true; 2]);
+    assert!(!found("0.1*(1 + 0.5*sin(9*x))", 24)[0]);
+    assert_eq!(found("0.1 + 0.9*(x + 1)", 8), [true; 2]);
+}

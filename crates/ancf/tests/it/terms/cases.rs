@@ -13,7 +13,7 @@ use ancf::solver::equations::{State, Term};
 use nalgebra::{Matrix3, Rotation3, Vector3};
 
 use super::constraints::{ORIGIN, bodies, constraints_and_loads, mesh};
-use super::contacts::{Loss, contacts};
+use super::contacts::{Loss, contacts, tapered_contacts};
 use super::frames::frame_terms;
 use super::gases::gas_terms;
 use super::immersed::{immersed_terms, meshes};
@@ -113,15 +113,16 @@ fn rigid_bodies(gravity: Vector3<f64>) -> impl Iterator<Item = TermCase> {
 fn contact_terms() -> impl Iterator<Item = TermCase> {
     let a = mesh(0, ORIGIN, Rotation3::identity());
     let b = mesh(36, Vector3::new(0.61, -0.68, 0.2), Rotation3::from_euler_angles(0.4, -0.3, 1.1));
-    contacts(&a, &b, 0.31).into_iter().map(|(name, term, loss)| TermCase {
-        name,
-        term,
-        kind: match loss {
-            Loss::None => TermKind::Smooth,
-            Loss::Damping => TermKind::Damped,
-            Loss::Friction => TermKind::IncompleteStiffness,
-        },
-    })
+    contacts(&a, &b, 0.31).into_iter().map(contact_case)
+}
+
+fn contact_case((name, term, loss): (String, Box<dyn Term>, Loss)) -> TermCase {
+    let kind = match loss {
+        Loss::None => TermKind::Smooth,
+        Loss::Damping => TermKind::Damped,
+        Loss::Friction => TermKind::IncompleteStiffness,
+    };
+    TermCase { name, term, kind }
 }
 
 /// Forces of inertia in a rotating frame, of an element of each interpolation and of a rigid body.
@@ -190,5 +191,6 @@ pub(super) fn terms() -> Vec<TermCase> {
         .chain(prestrains())
         .chain(shell_prestrain_terms())
         .chain(gas_terms())
+        .chain(tapered_contacts(&mesh(0, ORIGIN, Rotation3::identity()), 0.31).into_iter().map(contact_case))
         .collect()
 }

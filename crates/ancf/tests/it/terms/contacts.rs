@@ -6,7 +6,9 @@ use ancf::mechanics::contact::{
     ObstacleShape, ThinContact,
 };
 use ancf::mechanics::kinematics::Attachment;
-use ancf::mechanics::shells::{Face, ShearShellMesh, ShellMedium, ShellMesh, ShellSection};
+use ancf::mechanics::shells::{
+    Face, LocalSection, SectionField, ShearShellMesh, ShellMedium, ShellMesh, ShellSection,
+};
 use ancf::solver::equations::Term;
 use nalgebra::Vector3;
 
@@ -31,8 +33,16 @@ fn law(linear: bool, loss: Loss) -> ContactLaw {
     }
 }
 
+/// Relative thickness that varies in both directions.
+fn tapered() -> SectionField {
+    SectionField::new(|element, [x, y]| LocalSection {
+        scale: 1.0 + 0.1 * element as f64 + 0.1 * x * x - 0.15 * y + 0.08 * x * y,
+        ..LocalSection::WHOLE
+    })
+}
+
 /// Curved thin shell of 2 × 1 elements with the first element about a point in the direction (x, y) from it and 1 below it.
-fn shell(at: Vector3<f64>, [x, y]: [f64; 2]) -> ShellMesh {
+fn shell(at: Vector3<f64>, [x, y]: [f64; 2], sections: Option<SectionField>) -> ShellMesh {
     let section = ShellSection::isotropic(1e6, 0.3, 1.0, 0.1);
     let medium =
         ShellMedium { section, axis: None, retardation: 0.0, mass_damping: 0.0, gravity: Vector3::zeros() };
@@ -46,16 +56,16 @@ fn shell(at: Vector3<f64>, [x, y]: [f64; 2]) -> ShellMesh {
             Vector3::zeros(),
         ]
     };
-    ShellMesh::new(120, [2, 1], at, map, &medium)
+    ShellMesh::varying(120, [2, 1], at, map, (&medium, sections))
 }
 
 /// Returns contacts of a point of a beam, and of one of a shell, with the interior, an edge and a corner of a thin shell.
 fn surface_contacts(point: &ContactPoint, at: Vector3<f64>, law: ContactLaw) -> Vec<(String, Box<dyn Term>)> {
     let places = [("interior", [0.0, 0.0]), ("edge", [0.0, 2.0]), ("corner", [2.0, 2.0])];
-    let on_shell = shell(at - Vector3::new(0.1, 0.1, -1.2), [0.0, 0.0]);
+    let on_shell = shell(at - Vector3::new(0.1, 0.1, -1.2), [0.0, 0.0], None);
     let other = on_shell.point([0.2, 0.4]);
     let of = |(name, shift): (&str, [f64; 2])| -> Vec<(String, Box<dyn Term>)> {
-        let target = shell(at, shift);
+        let target = shell(at, shift, None);
         let (surface, free) = target.element_surfaces().next().unwrap();
         let contact =
             |point: &ContactPoint| ThinContact::new(std::slice::from_ref(point), &surface, free, 3.0, law);
@@ -92,11 +102,10 @@ fn face_contacts(point: &ContactPoint, at: Vector3<f64>, law: ContactLaw) -> Vec
     let places =
         [("interior", [0.0, 0.6]), ("free edge", [0.2, 2.6]), ("edge", [-3.4, 0.3]), ("node", [-3.4, -2.4])];
     let of = |((name, shift), is_split): ((&str, [f64; 2]), bool)| -> Vec<(String, Box<dyn Term>)> {
-        let mesh = faceted_shell(at, shift, is_split);
+        let target = ContactGeometry::shear_shell(&faceted_shell(at, shift, is_split), 1.0, 5);
         // Points of the same shell, beyond the element.
-        let own =
-            ContactPoint::new(shell(at - Vector3::new(0.1, 0.1, -1.2), [0.0; 2]).point([0.2, 0.4]), 0.02);
-        let target = ContactGeometry::shear_shell(&mesh, 1.0, 5);
+        let on_shell = shell(at - Vector3::new(0.1, 0.1, -1.2), [0.0; 2], None);
+        let own = ContactPoint::new(on_shell.point([0.2, 0.4]), 0.02);
         let contact = |point: &ContactPoint| {
             FaceContact::new(std::slice::from_ref(point), (&target, 0), 3.0, law).expect("an element")
         };
@@ -106,6 +115,28 @@ fn face_contacts(point: &ContactPoint, at: Vector3<f64>, law: ContactLaw) -> Vec
         ]
     };
     places.into_iter().flat_map(|place| [(place, false), (place, true)]).flat_map(of).collect()
+}
+
+/// Returns contacts of a point of a beam, and of one of a shell, with places of a thin shell whose thickness varies.
+pub(super) fn tapered_contacts(a: &BeamMesh, s: f64) -> Vec<(String, Box<dyn Term>, Loss)> {
+    let point = a.point(s);
+    let at = point.reference();
+    let on_shell = shell(at - Vector3::new(0.1, 0.1, -1.2), [0.0, 0.0], None).point([0.2, 0.4]);
+    let points =
+        [("beam", point), ("shell", on_shell)].map(|(owner, place)| (owner, ContactPoint::new(place, 0.02)));
+    let mut cases: Vec<(String, Box<dyn Term>, Loss)> = Vec::new();
+    for loss in [Loss::None, Loss::Damping, Loss::Friction] {
+        for (name, shift) in [("interior", [0.0, 0.0]), ("edge", [0.0, 2.0]), ("corner", [2.0, 2.0])] {
+            let target = ContactGeometry::shell(&shell(at, shift, Some(tapered())), 8.0, 5);
+            for (owner, point) in &points {
+                let term =
+                    ThinContact::of_element(std::slice::from_ref(point), (&target, 0), 3.0, law(true, loss));
+                let name = format!("contact: {owner} on the {name} of a tapered shell, {loss:?}");
+                cases.push((name, Box::new(term.expect("an element")), loss));
+            }
+        }
+    }
+    cases
 }
 
 /// Returns contacts with their names and losses: all obstacle shapes on ground and body, beam on beam, points on shells.

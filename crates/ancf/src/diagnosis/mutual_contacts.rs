@@ -1,16 +1,35 @@
-//! Overlaps of bodies that should touch each other.
+//! Overlaps of bodies that should touch each other, and thicknesses that their elements do not resolve.
+
+use std::collections::BTreeSet;
 
 use super::connections::Connections;
+use crate::errors::percentage;
 use crate::model::{IndexedModel, Model};
 
 /// Largest number of pairs in a warning.
 const PAIRS: usize = 3;
 
+/// Relative deviation of a surface from half the thickness above which a warning is given.
+const DEVIATION: f64 = 0.05;
+
+/// Warnings of bodies in contact with each other.
+pub(super) fn contact_warnings(model: &Model) -> Vec<String> {
+    let found = IndexedModel::new(model).mutual_geometry();
+    let coarse = found.deviations.iter().filter(|(_, deviation)| **deviation > DEVIATION).map(|(body, deviation)| {
+        format!(
+            "shell `{}`: in contact with other bodies its surface deviates by up to {} of half the thickness, which varies fast; use \
+             smaller elements, or a thickness with smaller slopes",
+            model.bodies[*body].name(),
+            if *deviation > 1.0 { "more than 100 %".to_owned() } else { percentage(*deviation) }
+        )
+    });
+    coarse.chain(overlap_warning(model, found.overlapping.clone())).collect()
+}
+
 /// Warning of bodies in contact that overlap in the undeformed state, so that parts of them do not touch.
 ///
 /// Bodies with a joint between them, or with joints to the same body, are meant to overlap.
-pub(super) fn overlap_warning(model: &Model) -> Option<String> {
-    let overlapping = IndexedModel::new(model).overlapping_bodies();
+fn overlap_warning(model: &Model, overlapping: BTreeSet<[usize; 2]>) -> Option<String> {
     if overlapping.is_empty() {
         return None;
     }

@@ -1,6 +1,6 @@
 //! Simulation of a model for Python.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
 use std::io;
 use std::path::Path;
 use std::sync::Arc;
@@ -75,7 +75,7 @@ impl Simulation {
 
     /// Runs the simulation and returns the results in a dictionary.
     ///
-    /// A motion or an equilibrium starts in the last state of another run, if there is one.
+    /// A motion or an equilibrium starts in the last state of another run, with its last row by the columns, if there is one.
     #[pyo3(signature = (states, callback, tick, stop=None, after=None))]
     fn run<'py>(
         &self,
@@ -84,10 +84,10 @@ impl Simulation {
         callback: Option<Py<PyAny>>,
         tick: Option<Py<PyAny>>,
         stop: Option<Py<PyAny>>,
-        after: Option<Py<States>>,
+        after: Option<(Py<States>, HashMap<String, f64>)>,
     ) -> PyResult<Bound<'py, PyDict>> {
         let keep = Keep::from_word(states)?;
-        let last = after.map(|states| states.get().last()).transpose()?;
+        let last = after.map(|(states, row)| states.get().last(&row)).transpose()?;
         let start = py.detach(|| self.start(last)).map_err(|errors| model_error(py, &errors, None))?;
         self.signals.begin(stop);
         let mut recorder = RunRecorder::new(self.recorded(py), keep, [callback, tick]);

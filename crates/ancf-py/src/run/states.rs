@@ -1,5 +1,6 @@
 //! States of a run for Python.
 
+use std::collections::HashMap;
 use std::sync::Arc;
 
 use ancf::solver::equations::State;
@@ -83,13 +84,15 @@ impl States {
         Ok(state)
     }
 
-    /// Returns the last state, in which another run may start.
+    /// Returns the last state, in which another run may start. `row` has the turns of angles by their columns.
     ///
     /// # Errors
     /// If complete states were not kept.
-    pub(crate) fn last(&self) -> PyResult<GivenState> {
+    pub(crate) fn last(&self, row: &HashMap<String, f64>) -> PyResult<GivenState> {
         let state = self.state(self.frames.len().saturating_sub(1), true)?;
-        Ok(self.simulation.given_state(&state, "the last state of the analysis before".to_owned()))
+        let given = self.simulation.given_state(&state, "the last state of the analysis before".to_owned());
+        let counted = self.simulation.counted_angles().into_iter();
+        Ok(given.with_angles(counted.filter_map(|name| row.get(&name).map(|value| (name.clone(), *value)))))
     }
 
     /// Returns all states.

@@ -40,7 +40,16 @@ pub fn given_state(model: &Model, base: &Path) -> Result<Option<GivenState>, Mod
         ]));
     };
     let place = place(model.initial.time, &stored, duration, &source)?;
-    Ok(Some(results.simulation().given_state(&stored.state, format!("the state of {source} at {place}"))))
+    let simulation = results.simulation();
+    let given = simulation.given_state(&stored.state, format!("the state of {source} at {place}"));
+    let counted = simulation.counted_angles();
+    if counted.is_empty() {
+        return Ok(Some(given));
+    }
+    let columns = results.columns().map_err(|error| of_folder(folder, &error))?;
+    let row = stored.row as usize;
+    let value = |name: String| columns.column(&name).and_then(|all| all.get(row).copied()).map(|x| (name, x));
+    Ok(Some(given.with_angles(counted.into_iter().filter_map(value))))
 }
 
 /// Checks that a stored state has the stated time, and describes its place in the run.

@@ -40,8 +40,26 @@ pub struct System {
     /// Batches by residual rows and by matrix entries.
     pub(super) by_rows: ThreadParts,
     pub(super) by_entries: ThreadParts,
-    /// Residual that is subtracted in proportion to 1 − s, with the load factor s.
-    pub(super) released: Option<Arc<[f64]>>,
+    /// Residual of a state that is subtracted.
+    pub(super) released: Option<Release>,
+}
+
+/// Residual of a state that is subtracted in proportion to 1 − s/s₁, with the load factor s, and in some rows entirely.
+#[derive(Clone, Debug)]
+pub(super) struct Release {
+    residual: Arc<[f64]>,
+    /// Last load factor s₁.
+    last: f64,
+    kept: Arc<[usize]>,
+}
+
+impl Release {
+    /// Subtracts the residual at a load factor.
+    pub(super) fn subtract(&self, load: f64, r: &mut [f64]) {
+        let part = 1.0 - load / self.last;
+        r.iter_mut().zip(&*self.residual).for_each(|(r, at_start)| *r -= part * at_start);
+        self.kept.iter().for_each(|&row| r[row] -= (1.0 - part) * self.residual[row]);
+    }
 }
 
 impl fmt::Debug for System {
@@ -184,18 +202,19 @@ impl System {
 
     /// System that is in equilibrium in a state at the load factor s = 0, from which it is released in proportion to s.
     ///
-    /// The equations are r(q, λ, s) − (1 − s) r(q₀, λ₀, 0) = 0: forces that hold the state, and gaps of constraints, decrease to
-    /// zero at the full load s = 1. Statics only: the equations of motion and the tangent with respect to s lack this part.
-    ///
+    /// The equations are r(q, λ, s) − (1 − s/s₁) r(q₀, λ₀, 0) = 0: forces that hold the state, and gaps of constraints, decrease to
+    /// zero at the last load factor s₁, which is not 0. Rows of constraints in `kept` keep their gaps. Statics only: the equations of
+    /// motion and the tangent with respect to s lack this part.
     #[must_use]
-    pub fn released_from(&self, start: &State) -> Self {
+    pub fn released_from(&self, start: &State, last: f64, kept: &[usize]) -> Self {
         let mut held = State { load: 0.0, ..start.clone() };
         held.v.fill(0.0);
         held.a.fill(0.0);
         let complete = self.with_active_terms(&held);
         let mut residual = vec![0.0; self.coordinates + self.multipliers];
         complete.as_ref().map_or(self, |(system, _)| system).residual(&held, &mut residual);
-        Self { released: Some(residual.into()), ..self.clone() }
+        let release = Release { residual: residual.into(), last, kept: kept.into() };
+        Self { released: Some(release), ..self.clone() }
     }
 
     /// Returns the searches for contacts.

@@ -35,7 +35,7 @@ impl EquationsOfMotion for System {
         });
         self.add(self.unbatched(), s, r, |term, at, rows| term.residual(at, rows));
         if let Some(released) = &self.released {
-            r.iter_mut().zip(&**released).for_each(|(r, at_start)| *r -= (1.0 - s.load) * at_start);
+            released.subtract(s.load, r);
         }
     }
 

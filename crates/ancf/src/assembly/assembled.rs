@@ -68,6 +68,15 @@ pub struct RecordedQuantity {
 }
 
 impl Assembly {
+    /// Rows of the residual whose constraints keep a given state in statics: those of drives by a rate.
+    pub(crate) fn held_rows(&self) -> Vec<usize> {
+        let first = self.system.coordinates();
+        self.joints
+            .iter()
+            .flat_map(|joint| joint.held.iter().map(move |multiplier| first + multiplier))
+            .collect()
+    }
+
     /// Reference configuration at rest.
     pub fn rest(&self) -> State {
         State::rest(self.system.coordinates(), self.system.multipliers())

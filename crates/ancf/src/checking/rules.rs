@@ -176,6 +176,10 @@ fn initial(model: &IndexedModel<'_>) -> Vec<Finding> {
     };
     let unsuitable = match &model.analysis {
         Analysis::Dynamics(_) => return Vec::new(),
+        Analysis::Statics(own) if own.load == 0.0 => {
+            let expected = "another number than 0 for statics from a given state, which is released in proportion to the load factor";
+            return vec![finding("analysis.load".into(), "0", expected).rests_on(["initial.from".into()])];
+        }
         Analysis::Statics(_) | Analysis::Modes(Modes { about: About::Equilibrium, .. }) => None,
         Analysis::Modes(_) => Some("modes about the reference state"),
         Analysis::Path(_) => Some("a path"),

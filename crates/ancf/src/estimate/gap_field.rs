@@ -8,7 +8,7 @@ use nalgebra::Matrix3;
 use super::finer::has_poisson_locking;
 use super::rod_sections::RodSections;
 use crate::assembly::{Assembly, RecordedQuantity};
-use crate::model::Model;
+use crate::model::{Body, Formulation, Model};
 
 /// Mean of 16 ξ² (1 − ξ)².
 const BUBBLE: f64 = 8.0 / 15.0;
@@ -20,6 +20,8 @@ pub(crate) struct GapField<'a> {
     pub(super) contacts: Vec<Arc<dyn Term>>,
     bodies: Vec<Option<BodyGaps<'a>>>,
     is_rough: bool,
+    /// True if strains of quadratic elements are damped in a motion: the elastic part of their section forces is not known.
+    is_damped: bool,
 }
 
 /// Gaps of the elements of a flexible body.
@@ -43,10 +45,16 @@ impl<'a> GapField<'a> {
 
     /// Computes the gaps of a motion, also in the middle of the elements.
     pub(crate) fn in_motion(model: &'a Model, assembly: &'a Assembly, state: &'a State) -> Self {
-        Self::with(model, assembly, state, |field, body, element| {
+        let field = Self::with(model, assembly, state, |field, body, element| {
             let [gap, middle] = field.gaps_at(body, element, [1.0, 0.5])?;
             Some((gap, Some(middle)))
-        })
+        });
+        let is_damped = |body: &Body| {
+            let material = body.section_and_material().and_then(|(_, name)| model.materials.get(name));
+            let has_middle = matches!(body, Body::Beam(beam) if beam.formulation == Formulation::Quadratic);
+            has_middle && material.is_some_and(|material| material.damping.has_retardation())
+        };
+        Self { is_damped: model.bodies.iter().any(is_damped), ..field }
     }
 
     /// Computes the gaps of the elements of the probes only.
@@ -74,7 +82,7 @@ impl<'a> GapField<'a> {
         let contacts = assembly.contact_terms(state);
         let are_loads_known = model.loads.iter().all(|load| load.kind().is_known_within_elements());
         let is_rough = !contacts.is_empty() || !are_loads_known;
-        let mut field = Self { assembly, state, contacts, bodies: Vec::new(), is_rough };
+        let mut field = Self { assembly, state, contacts, bodies: Vec::new(), is_rough, is_damped: false };
         for (number, of_model) in model.bodies.iter().enumerate() {
             let mesh = assembly.body_of(number).mesh();
             let sections = mesh.zip(RodSections::new(model, of_model));
@@ -107,7 +115,10 @@ impl<'a> GapField<'a> {
     pub(super) fn is_unknown(&self) -> bool {
         let is_unknown = |body: &BodyGaps<'_>| body.gaps.iter().any(|gap| gap.is_unknown);
         let has_shells = self.assembly.bodies().any(|(_, body)| body.is_shell());
-        has_shells || self.assembly.inner_loads.has_joints || self.bodies().any(|(_, body)| is_unknown(body))
+        has_shells
+            || self.is_damped
+            || self.assembly.inner_loads.has_joints
+            || self.bodies().any(|(_, body)| is_unknown(body))
     }
 
     /// Bound of the relative difference between the laws of the rod and of the elements.

@@ -49,8 +49,8 @@ struct RotatingPlace {
 }
 
 impl RotationMonitor {
-    /// Monitor of a dynamic analysis.
-    pub(crate) fn new(model: &Model, assembly: &Assembly) -> Self {
+    /// Monitor of a dynamic analysis from a time.
+    pub(crate) fn new(model: &Model, assembly: &Assembly, start: f64) -> Self {
         let scheme = model.analysis.dynamics().map(|settings| settings.scheme.numbers());
         let limit = scheme.filter(|scheme| !scheme.is_newmark() && scheme.is_second_order()).map(|scheme| {
             let damping = -scheme.lead();
@@ -78,7 +78,7 @@ impl RotationMonitor {
                     .for_each(|place| place.directions.push((vector.first, vector.value)));
             }
         }
-        let history = RotationHistory { growth: vec![0.0; places.len()], ..RotationHistory::default() };
+        let history = RotationHistory { t: start, growth: vec![0.0; places.len()], found: None };
         Self { limit, places, history }
     }
 

@@ -33,7 +33,8 @@ impl EquilibriumSearch<'_> {
     /// # Errors
     /// If a motion is unsupported, or the equilibrium is not found.
     pub(crate) fn run(&self, each: &mut Each<'_>) -> Result<State, RunFailure> {
-        let StaticStart { state, system } = StaticStart::new(self.model, self.assembly, self.given)?;
+        let StaticStart { state, system } =
+            StaticStart::new((self.model, self.settings.load), self.assembly, self.given)?;
         match require_support(self.assembly, &state, self.scales) {
             Ok(()) => self.loaded(&system, state, each),
             Err(free) if self.given.is_some() => Err(free),

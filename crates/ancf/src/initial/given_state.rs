@@ -13,6 +13,8 @@ pub struct GivenState {
     source: String,
     bodies: Vec<GivenBody>,
     joints: Vec<GivenJoint>,
+    /// Angles whose turns a state does not contain, by their columns.
+    angles: Vec<(String, f64)>,
 }
 
 /// Nodal vectors of a body in the order of its coordinates.
@@ -68,7 +70,18 @@ impl GivenState {
                 states: joint.states.iter().copied().map(value).collect(),
             }
         });
-        Self { source, bodies: bodies.collect(), joints: joints.collect() }
+        Self { source, bodies: bodies.collect(), joints: joints.collect(), angles: Vec::new() }
+    }
+
+    /// Sets the values of angles with their full turns, by their columns ([`Simulation::counted_angles`](crate::Simulation::counted_angles)).
+    #[must_use]
+    pub fn with_angles(self, angles: impl IntoIterator<Item = (String, f64)>) -> Self {
+        Self { angles: angles.into_iter().collect(), ..self }
+    }
+
+    /// Angles with their full turns.
+    pub(crate) fn angles(&self) -> &[(String, f64)] {
+        &self.angles
     }
 
     /// Description of the origin.

@@ -29,7 +29,10 @@ impl InitialState {
         rows: &mut Rows,
     ) -> Result<Self, RunFailure> {
         match (given, &model.initial.from) {
-            (Some(given), _) => given.initial_state((model, scales), assembly),
+            (Some(given), _) => {
+                rows.start_turns(&given.angles);
+                given.initial_state((model, scales), assembly)
+            }
             (None, Origin::Undeformed) => Ok(Self::undeformed(model, assembly)),
             (None, Origin::Equilibrium) => Self::equilibrium((model, scales), assembly, interrupt, rows)
                 .map_err(|failure| RunFailure::Start(Box::new(failure))),

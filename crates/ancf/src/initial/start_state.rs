@@ -16,6 +16,8 @@ use crate::units::Scales;
 pub struct StartState {
     pub(crate) state: State,
     pub(crate) source: String,
+    /// Angles with their full turns, by their columns.
+    pub(crate) angles: Vec<(String, f64)>,
 }
 
 /// Displacement by the projection of positions, relative to the length of the model, that is reported as a warning.

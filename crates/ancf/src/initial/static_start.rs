@@ -14,12 +14,12 @@ pub(crate) struct StaticStart<'a> {
 }
 
 impl<'a> StaticStart<'a> {
-    /// Start from a given state, which is released in proportion to the load factor, or from the undeformed state.
+    /// Start from a given state, which is released in proportion to the load factor up to `load`, or from the undeformed state.
     ///
     /// # Errors
     /// If the model states a results folder, and no state is given.
     pub(crate) fn new(
-        model: &Model,
+        (model, load): (&Model, f64),
         assembly: &'a Assembly,
         given: Option<&StartState>,
     ) -> Result<Self, RunFailure> {
@@ -28,7 +28,7 @@ impl<'a> StaticStart<'a> {
             (None, _) => Ok(Self { state: unloaded(assembly), system: Cow::Borrowed(&assembly.system) }),
             (Some(given), _) => {
                 let state = given.at_rest();
-                let system = Cow::Owned(assembly.system.released_from(&state));
+                let system = Cow::Owned(assembly.system.released_from(&state, load, &assembly.held_rows()));
                 Ok(Self { state, system })
             }
         }

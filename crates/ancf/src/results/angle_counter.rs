@@ -37,12 +37,37 @@ pub(crate) enum AngleRates {
     Differences,
 }
 
+/// Recorded angles that a state determines up to whole turns, with the names of their joints.
+fn wrapping(assembly: &Assembly) -> impl Iterator<Item = (&str, &RecordedCoordinate)> {
+    assembly.joint_coordinates().filter(|(_, coordinate)| coordinate.wraps())
+}
+
+/// Column of an angle.
+fn column_of(joint: &str, angle: &RecordedCoordinate) -> String {
+    format!("{joint}.{}", angle.columns()[0])
+}
+
+/// Columns of the angles whose turns are counted.
+pub(crate) fn counted_angles(assembly: &Assembly) -> Vec<String> {
+    wrapping(assembly).map(|(joint, angle)| column_of(joint, angle)).collect()
+}
+
 impl AngleCounter {
     pub(crate) fn new(assembly: &Assembly) -> Self {
-        let wrapping = assembly.joint_coordinates().filter(|(_, coordinate)| coordinate.wraps());
-        let angles: Vec<_> = wrapping.map(|(joint, angle)| (joint.to_owned(), angle.clone())).collect();
+        let angles: Vec<_> =
+            wrapping(assembly).map(|(joint, angle)| (joint.to_owned(), angle.clone())).collect();
         let history = AngleHistory { angles: vec![[0.0; 2]; angles.len()], ..AngleHistory::default() };
         Self { angles, history }
+    }
+
+    /// Sets the angles before the first state, by their columns.
+    pub(crate) fn start(&mut self, given: &[(String, f64)]) {
+        for ((joint, angle), last) in self.angles.iter().zip(&mut self.history.angles) {
+            let column = column_of(joint, angle);
+            if let Some((_, value)) = given.iter().find(|(name, _)| *name == column) {
+                *last = [*value, 0.0];
+            }
+        }
     }
 
     /// True if there are no such angles.

@@ -8,7 +8,7 @@ mod powers;
 mod rows;
 mod section_forces;
 
-pub(crate) use angle_counter::AngleRates;
+pub(crate) use angle_counter::{AngleRates, counted_angles};
 pub use column::Column;
 pub use fields::{Field, Fields, Station};
 pub use rows::Rows;

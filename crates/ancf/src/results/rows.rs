@@ -278,6 +278,11 @@ impl Rows {
         self.angles.count(at, s, rates);
     }
 
+    /// Sets the angles before the first state, by their columns.
+    pub(crate) fn start_turns(&mut self, given: &[(String, f64)]) {
+        self.angles.start(given);
+    }
+
     /// Counts the next turns from the last angles, with another variable.
     pub(crate) fn restart_turns(&mut self) {
         self.angles.restart();

@@ -51,7 +51,7 @@ impl<'a> DynamicRun<'a> {
         let mut control = StepControl::new(scaled, start, settings, assembly, interrupt.clone())?;
         let start = control.dynamics().state();
         rows.count_turns(start.t, start, AngleRates::Velocities);
-        let rotations = RotationMonitor::new(scaled, assembly);
+        let rotations = RotationMonitor::new(scaled, assembly, start.t);
         let alternations = AlternationMonitor::new(scaled, control.dynamics().state().a.len());
         let mut estimate = ErrorEstimate::new(simulation, settings, &initial);
         estimate.iter_mut().for_each(|estimate| estimate.update(&mut control, &mut rows));

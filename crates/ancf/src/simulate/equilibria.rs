@@ -68,8 +68,11 @@ impl AnalysisRun<'_> {
     ) -> RunResult {
         let assembly = self.assembly;
         let mut rows = Rows::new(assembly, self.summary.scales, LOAD, &COLUMNS);
+        if let Some(given) = given {
+            rows.start_turns(&given.angles);
+        }
         self.observer.begin(&rows.columns())?;
-        let StaticStart { state, system } = match StaticStart::new(model, assembly, given) {
+        let StaticStart { state, system } = match StaticStart::new((model, settings.load), assembly, given) {
             Ok(start) => start,
             Err(reason) => return Ok(Err(reason)),
         };

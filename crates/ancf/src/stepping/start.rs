@@ -50,7 +50,7 @@ impl Stepper {
         let s = dynamics.state();
         rows.count_turns(s.t, s, AngleRates::Velocities);
         let monitors = Monitors {
-            rotations: RotationMonitor::new(scaled, assembly),
+            rotations: RotationMonitor::new(scaled, assembly, s.t),
             alternations: AlternationMonitor::new(scaled, s.a.len()),
         };
         let mut summary = Summary::new(assembly, chosen.clone());

@@ -137,7 +137,7 @@ impl Stepper {
         let s = self.dynamics.state();
         self.rows = Rows::new(assembly, self.simulation.scales(), TIME, &COLUMNS);
         self.rows.count_turns(s.t, s, AngleRates::Velocities);
-        self.monitors.rotations = RotationMonitor::new(scaled, assembly);
+        self.monitors.rotations = RotationMonitor::new(scaled, assembly, s.t);
         self.monitors.alternations = AlternationMonitor::new(scaled, s.a.len());
         self.events.move_to(s.t);
         self.report = StepReport::default();

@@ -26,16 +26,27 @@ impl BeamMesh {
 
     /// Evaluates the residual of an element and the forces of its loads.
     pub(super) fn element_rows(&self, state: &State, element: usize, loads: &[&dyn Term]) -> ElementRows {
-        let own = residual(self.term(element), state);
+        self.rows_of(state, element, loads, Damping::Included)
+    }
+
+    /// Evaluates the residual of an element without its damping, and the forces of its loads: the strains of a rod follow from the
+    /// elastic part of the section forces.
+    pub(super) fn elastic_rows(&self, state: &State, element: usize, loads: &[&dyn Term]) -> ElementRows {
+        self.rows_of(state, element, loads, Damping::Excluded)
+    }
+
+    fn rows_of(&self, state: &State, element: usize, loads: &[&dyn Term], damping: Damping) -> ElementRows {
+        let own = residual(self.term(element), state, damping);
         let of_loads: Vec<_> = loads.iter().map(|load| self.load_rows(state, element, *load)).collect();
         let mut sum = own;
         if let Some(term) = self.prestrains.term(element) {
-            sum.iter_mut().zip(residual(term, state)).for_each(|(row, force)| *row += force);
+            let forces = residual(term, state, damping);
+            sum.iter_mut().zip(forces).for_each(|(row, force)| *row += force);
         }
         for forces in &of_loads {
             sum.iter_mut().zip(forces).for_each(|(row, force)| *row -= force);
         }
-        ElementRows { own, of_loads, sum }
+        ElementRows { own, of_loads, sum, damping }
     }
 
     /// Returns the forces and moments that balance an element and its loads at its two ends.
@@ -73,8 +84,8 @@ impl BeamMesh {
         [start, end]: [Wrench; 2],
         rows: &ElementRows,
     ) -> RodLoads {
-        let ElementRows { own, of_loads, .. } = rows;
-        let mut rows = self.body_force_rows(state, element, own);
+        let ElementRows { own, of_loads, damping, .. } = rows;
+        let mut rows = self.body_force_rows(state, element, own, *damping);
         let couples = self.couples(state, element, &rows);
         let mut points: Vec<_> = of_loads.iter().map(|rows| self.point_load(state, element, rows)).collect();
         if points.iter().flatten().count() >= SAMPLES {
@@ -162,11 +173,18 @@ impl BeamMesh {
     }
 
     /// Returns the body forces less the inertia forces of an element with the residual `own` on its coordinates.
-    fn body_force_rows(&self, state: &State, element: usize, own: &[f64; LOCAL]) -> [f64; LOCAL] {
+    fn body_force_rows(
+        &self,
+        state: &State,
+        element: usize,
+        own: &[f64; LOCAL],
+        damping: Damping,
+    ) -> [f64; LOCAL] {
         let term = self.term(element);
         let (mut gathered, mut rows) = (LocalState::EMPTY, [0.0; LOCAL]);
         let n = term.coordinates().len();
-        let free = Local { a: &[0.0; LOCAL][..n], load: 0.0, ..gathered.gather(state, term) };
+        let at = damping.applied(gathered.gather(state, term));
+        let free = Local { a: &[0.0; LOCAL][..n], load: 0.0, ..at };
         term.residual(&free, &mut rows[..n]);
         rows.iter_mut().zip(own).for_each(|(row, own)| *row -= own);
         rows
@@ -176,7 +194,7 @@ impl BeamMesh {
     fn load_rows(&self, state: &State, element: usize, term: &dyn Term) -> [f64; LOCAL] {
         let (first, n) = (self.first_coordinate_of(element), self.term(element).coordinates().len());
         let mut rows = [0.0; LOCAL];
-        for (c, row) in term.coordinates().iter().zip(residual(term, state)) {
+        for (c, row) in term.coordinates().iter().zip(residual(term, state, Damping::Included)) {
             if let Some(place) = c.checked_sub(first).filter(|&place| place < n) {
                 rows[place] -= row;
             }
@@ -231,6 +249,24 @@ pub(super) struct ElementRows {
     of_loads: Vec<[f64; LOCAL]>,
     /// Residual of the element with its prescribed strains, and of its loads.
     sum: [f64; LOCAL],
+    damping: Damping,
+}
+
+/// Treatment of the damping of an element.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Damping {
+    Included,
+    Excluded,
+}
+
+impl Damping {
+    /// Returns the state in which an element is evaluated.
+    fn applied(self, at: Local<'_>) -> Local<'_> {
+        match self {
+            Self::Included => at,
+            Self::Excluded => Local { v: &[0.0; LOCAL][..at.v.len()], ..at },
+        }
+    }
 }
 
 impl ElementRows {
@@ -241,9 +277,9 @@ impl ElementRows {
 }
 
 /// Evaluates the residual of a term in a global state.
-fn residual(term: &dyn Term, state: &State) -> [f64; LOCAL] {
+fn residual(term: &dyn Term, state: &State, damping: Damping) -> [f64; LOCAL] {
     let (mut gathered, mut r) = (LocalState::EMPTY, [0.0; LOCAL]);
-    let at = gathered.gather(state, term);
+    let at = damping.applied(gathered.gather(state, term));
     term.residual(&at, &mut r[..at.q.len() + at.lambda.len()]);
     r
 }

@@ -134,6 +134,10 @@ impl JointBuilder<'_> {
     pub fn act(&mut self, coordinate: usize, actions: &JointActions<'_>) {
         let measure = || BilinearMeasure::coordinate(coordinate);
         if let Some(drive) = &actions.drive {
+            if drive.is_held(self.time_mode) {
+                let next = self.equations.multipliers.end;
+                self.equations.held.push(next);
+            }
             self.prescribe("drive", measure(), drive.target(self.time_mode));
         }
         if let Some([stiffness, damping, rest]) = actions.spring {

@@ -248,6 +248,11 @@ impl<'a> JointActions<'a> {
 }
 
 impl PrescribedMotion<'_> {
+    /// True for a rate in statics, which is zero: the value remains that of the start.
+    pub(crate) fn is_held(&self, time_mode: TimeMode) -> bool {
+        matches!(self.amounts, [None, Some(_)]) && time_mode != TimeMode::AsGiven
+    }
+
     /// Prescribed value as a function of time: as stated, or the integral of the stated rate. In statics the rate is zero.
     pub(crate) fn target(&self, time_mode: TimeMode) -> MeasureTarget {
         match self.amounts {

@@ -131,6 +131,8 @@ pub(crate) struct JointEquations {
     pub(crate) recorded: Vec<RecordedCoordinate>,
     /// Coordinates of states of force laws.
     pub(crate) states: Vec<usize>,
+    /// Multipliers of drives by a rate in statics, which keep a coordinate at its value in a given state.
+    pub(crate) held: Vec<usize>,
     /// Force laws with states or signals, whose terms are added when all joints are built.
     pub(crate) laws: Vec<JointStateLaw>,
 }
@@ -172,6 +174,7 @@ impl JointEquations {
             parts: Vec::new(),
             recorded: Vec::new(),
             states: Vec::new(),
+            held: Vec::new(),
             laws: Vec::new(),
         }
     }

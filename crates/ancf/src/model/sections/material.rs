@@ -106,6 +106,11 @@ impl Damping {
         [self.stretch, self.bending, self.shear, self.torsion].iter().any(Option::is_some)
     }
 
+    /// Returns true if strains of a beam or cable are damped.
+    pub(crate) fn has_retardation(&self) -> bool {
+        self.retardation() != DeformationFactors::default()
+    }
+
     /// Returns the retardation times of a beam or cable.
     pub(crate) fn retardation(&self) -> DeformationFactors {
         let of = |time: Option<f64>| time.unwrap_or(self.strain);

@@ -1,3 +1,4 @@
+use std::collections::HashSet;
 use std::sync::OnceLock;
 
 use ancf_mechanics::functions::InputSignal;
@@ -12,7 +13,8 @@ use crate::estimate::HalvedModel;
 use crate::initial::{GivenState, StartState};
 use crate::joints::{CustomJoint, Joint, JointKind};
 use crate::loads::{CustomLoad, Load, LoadKind};
-use crate::model::{Model, Section, SectionObject};
+use crate::model::{Analysis, Model, Section, SectionObject};
+use crate::results::{Column, counted_angles};
 use crate::units::{ChosenScales, Scales};
 
 /// Assembled model, ready to run.
@@ -49,7 +51,12 @@ impl Simulation {
         warnings.extend(model_warnings(model));
         let halved = OnceLock::new();
         let simulation = Self { scaled, chosen, assembly, inputs, interrupt, warnings, halved };
-        let unknown = unknown_values(model, &simulation.columns());
+        let columns = simulation.columns();
+        let equal = equal_columns(&columns);
+        if !equal.is_empty() {
+            return Err(ModelErrors(equal));
+        }
+        let unknown = unknown_values(model, &columns);
         if unknown.is_empty() { Ok(simulation) } else { Err(ModelErrors(unknown)) }
     }
 
@@ -70,13 +77,22 @@ impl Simulation {
         GivenState::new(&self.assembly, self.scales(), state, source.into())
     }
 
+    /// Columns of angles whose turns are counted during a run, since a state does not contain them.
+    pub fn counted_angles(&self) -> Vec<String> {
+        counted_angles(&self.assembly)
+    }
+
     /// Start of this simulation in a given state.
     ///
     /// # Errors
-    /// If the state belongs to another structure.
+    /// If the state belongs to another structure, or cannot be released because the load factor of statics is 0.
     pub fn start_from(&self, given: &GivenState) -> Result<StartState, ModelErrors> {
+        if matches!(&self.scaled.analysis, Analysis::Statics(own) if own.load == 0.0) {
+            let expected = "another number than 0 for statics from a given state, which is released in proportion to the load factor";
+            return Err(ModelErrors(vec![ModelError::new("analysis.load", "0", expected)]));
+        }
         let state = given.state(&self.assembly, self.scales())?;
-        Ok(StartState { state, source: given.source().to_owned() })
+        Ok(StartState { state, source: given.source().to_owned(), angles: given.angles().to_vec() })
     }
 
     /// Model with elements of half the size, or the reason for which there is none, if the errors of a model with shells are to be
@@ -102,6 +118,18 @@ fn repeated_columns(assembly: &Assembly) -> Vec<ModelError> {
             ModelError::new("joints", found, "at most one of a name")
         })
         .collect()
+}
+
+/// Finds columns of the results with equal names, such as that of a state of a force law and that of a reaction.
+fn equal_columns(columns: &[Column]) -> Vec<ModelError> {
+    let mut names = HashSet::new();
+    let equal = columns.iter().filter(|column| !names.insert(column.name.as_str()));
+    let error = |column: &Column| {
+        let found = format!("two columns {} of the results", quoted(&column.name));
+        let expected = "different names of joints, states of force laws, probes, gases and bodies";
+        ModelError::new("output", found, expected)
+    };
+    equal.map(error).collect()
 }
 
 /// Part of a user-defined kind that a program adds to a model.

@@ -224,3 +224,23 @@ fn errors_are_columns_with_the_units_of_their_values() {
         assert!(dimension(name).is_some());
     }
 }
+
+/// Damping of strains is no error of the mesh: the estimate of a driven, damped beam falls with the mesh as the error does.
+#[test]
+fn damping_is_no_error_of_the_mesh() {
+    let force = format!(
+        "{CLAMPED}\nloads = [{{ kind = \"force\", on = {{ body = \"b\", at = \"end\" }}, force = [0, 1, 0], \
+         time = {{ kind = \"sine\", frequency = 3 }} }}]"
+    );
+    let text = |body: &str, elements, rate: f64| {
+        let damping = format!("young = 1e9, damping = {{ strain = {rate} }}");
+        motion(body, elements, &force, 1e-2).replace("young = 1e9", &damping)
+    };
+    let quadratic = run(&text(BODIES[3], 3, 1e-2), true).1.unwrap();
+    assert!(quadratic.are_steps_known && !quadratic.is_mesh_known);
+    for (body, elements) in [(BODIES[1], 8), (BODIES[2], 3), (BODIES[4], 3)] {
+        let mesh = |text: &str| run(text, true).1.unwrap().worst().unwrap().1[1];
+        let [damped, free] = [1e-2, 0.0].map(|rate| mesh(&text(body, elements, rate)));
+        assert!(damped < 3.0 * free, "{body}: {damped} with damping, {free} without");
+    }
+}

@@ -11,13 +11,14 @@ use crate::common::models::parse;
 /// Runs all analyses of a sequence, each from the last state before it. Returns their columns and summaries.
 fn run_all(text: &str) -> Vec<(Series, Summary)> {
     let sequence = AnalysisSequence::parse(text).unwrap().expect("a list of analyses");
-    let (mut time, mut last): (f64, Option<(Simulation, State)>) = (0.0, None);
+    let (mut time, mut last): (f64, Option<(Simulation, State, Vec<(String, f64)>)>) = (0.0, None);
     let mut runs = Vec::new();
     for stage in sequence.stages {
         let model = Model::parse(&stage.text(time)).unwrap();
         let simulation = Simulation::new(&model).unwrap();
-        let start = last.as_ref().map(|(other, state)| {
-            simulation.start_from(&other.given_state(state, "the analysis before")).unwrap()
+        let start = last.as_ref().map(|(other, state, angles)| {
+            let given = other.given_state(state, "the analysis before").with_angles(angles.clone());
+            simulation.start_from(&given).unwrap()
         });
         let mut states = States::default();
         let summary = match &start {
@@ -29,8 +30,11 @@ fn run_all(text: &str) -> Vec<(Series, Summary)> {
         if model.analysis.dynamics().is_some() {
             time = summary.time;
         }
+        let counted = simulation.counted_angles().into_iter();
+        let angles =
+            counted.map(|name| (name.clone(), *states.series.column(&name).unwrap().last().unwrap()));
+        last = Some((simulation, state, angles.collect()));
         runs.push((states.series, summary));
-        last = Some((simulation, state));
     }
     runs
 }
@@ -79,6 +83,74 @@ fn unloading_returns_to_the_undeformed_state() {
     let runs = run_all(&arm("", load, analyses).replace("-9.81", "0"));
     assert!(last(&runs[0].0, "tip.z") > 0.5, "{}", last(&runs[0].0, "tip.z"));
     assert!(last(&runs[1].0, "tip.z").abs() < 1e-9 && last(&runs[1].0, "strain").abs() < 1e-12);
+}
+
+/// Statics from a state ends in the equilibrium of its own load factor, which need not be 1.
+#[test]
+fn load_factors_of_released_states() {
+    let load = "{ kind = \"force\", on = { body = \"arm\", at = \"end\" }, force = [0, 0, 0.02] }";
+    let run = |first: f64, second: f64| {
+        let statics =
+            |name: &str, load: f64| format!("{{ kind = \"statics\", name = \"{name}\", load = {load:?} }}");
+        let analyses = [statics("a", first), statics("b", second)].join(", ");
+        let text = arm("", load, &analyses).replace("-9.81", "0");
+        if second == 0.0 { Err(text) } else { Ok(run_all(&text)) }
+    };
+    let alone = |load: f64| last(&run(0.1, load).unwrap()[1].0, "tip.z");
+    let one = last(&run(1.0, 1.0).unwrap()[0].0, "tip.z");
+    for (first, second) in [(1.0, 0.5), (1.0, 2.0), (0.5, -1.0), (1.0, -1.0), (-1.0, -1.0)] {
+        let runs = run(first, second).unwrap();
+        let [tip, force] = ["tip.z", "root.fz"].map(|name| last(&runs[1].0, name));
+        assert!((force + 0.02 * second).abs() < 1e-9, "{first} to {second}: {force}");
+        assert!((tip - alone(second)).abs() < 1e-9 * one.abs(), "{first} to {second}: {tip}");
+        assert!((tip / one - second).abs() < 0.05, "{first} to {second}: {tip} and {one}");
+    }
+    // Without a load factor nothing is released.
+    let text = run(1.0, 0.0).unwrap_err();
+    let errors = AnalysisSequence::parse(&text).unwrap_err().to_string();
+    assert!(errors.contains("analysis[1].load: found 0"), "{errors}");
+}
+
+/// Statics and modes keep the angle that a motion with a driven rate has reached: a hinged rod in the field g at the angle φ has the moment
+/// m g L cos φ / 2, and a rod that hangs down the frequency √(3 g/(2 L))/(2 π).
+#[test]
+fn equilibria_keep_driven_rates() {
+    let text = |rate: f64, last: &str| {
+        format!(
+            "gravity = [0, -9.81, 0]\n\
+             bodies = [{{ kind = \"rigid\", name = \"rod\", center = [0.5, 0, 0], mass = 2, inertia = [0.01, 0.1666666666666666, 0.1666666666666666] }}]\n\
+             joints = [{{ kind = \"revolute\", name = \"h\", a = {{ body = \"rod\", at = [0, 0, 0] }}, axis = [0, 0, 1], \
+             drive = {{ rate = {rate} }} }}]\n\
+             probes = [{{ name = \"end\", on = {{ body = \"rod\", at = [1, 0, 0] }} }}]\n\
+             analysis = [{{ kind = \"dynamics\", name = \"a\", duration = 0.5, step = 0.01, scheme = {{ spectral_radius = 0.8 }} }}, {last}]\n"
+        )
+    };
+    let runs = run_all(&text(
+        1.0,
+        "{ kind = \"statics\", name = \"b\" }, { kind = \"dynamics\", name = \"c\", duration = 0.1, step = 0.01 }",
+    ));
+    let of = |stage: usize, name: &str| last(&runs[stage].0, name);
+    let turned = of(0, "h.angle");
+    assert!((turned - 0.5).abs() < 1e-9, "{turned}");
+    assert!((of(1, "h.angle") - turned).abs() < 1e-12 && (of(1, "end.x") - turned.cos()).abs() < 1e-9);
+    assert!((of(1, "h.mz") - 9.81 * turned.cos()).abs() < 1e-8, "{}", of(1, "h.mz"));
+    assert!((of(2, "h.angle") - 0.6).abs() < 1e-9, "{}", of(2, "h.angle"));
+}
+
+/// A hinge that turns freely counts its turns through all analyses.
+#[test]
+fn turns_continue() {
+    let text = "bodies = [{ kind = \"rigid\", name = \"rotor\", center = [0, 0, 0], mass = 1, inertia = [1, 1, 1], motion = { spin = [0, 0, 10] } }]\n\
+        joints = [{ kind = \"revolute\", name = \"h\", a = { body = \"rotor\", at = \"center\" }, axis = [0, 0, 1] }]\n\
+        analysis = [{ kind = \"dynamics\", name = \"a\", duration = 1, step = 0.01 },\n\
+        { kind = \"dynamics\", name = \"b\", duration = 1, step = 0.01, until = [{ value = \"h.angle\", above = 15.0 }] }]\n";
+    let runs = run_all(text);
+    let [first, second] = [0, 1].map(|k| runs[k].0.column("h.angle").unwrap());
+    let end = *first.last().unwrap();
+    assert!((end - 10.0).abs() < 0.02 && (second[0] - end).abs() < 1e-9, "{end} {}", second[0]);
+    assert!((15.0..15.2).contains(second.last().unwrap()), "{:?}", second.last());
+    assert!(runs[1].1.ended_by.is_some());
+    assert_eq!(runs[0].1.warnings.len(), runs[1].1.warnings.len(), "{:?}", runs[1].1.warnings);
 }
 
 /// A strut between two springs that was pushed through its plane rests on the other side. Statics from the undeformed state finds

@@ -12,6 +12,7 @@ mod resume;
 mod scheme;
 mod start;
 mod step_report;
+mod step_start;
 mod time_stepper;
 mod with_errors;
 

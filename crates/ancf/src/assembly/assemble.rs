@@ -67,6 +67,7 @@ impl IndexedModel<'_> {
             inner_loads,
             owned,
             gravity: Vector3::from(self.gravity),
+            averaged: self.averaged(),
         };
         let assembly = assembly.sharing();
         let closed = if self.assemble { Some(self.close(&assembly)?) } else { None };
@@ -74,6 +75,12 @@ impl IndexedModel<'_> {
         let encounters = self.encounters(&assembly.bodies, &assembly.initial());
         assembly.system = assembly.system.with_searches(encounters);
         Ok(assembly)
+    }
+
+    /// Start and step of a motion by an energy-momentum scheme.
+    fn averaged(&self) -> Option<[f64; 2]> {
+        let own = self.analysis.dynamics().filter(|own| own.scheme.numbers().averaging.is_some())?;
+        Some([self.initial.start_time, own.nominal_step(self.output.interval)?])
     }
 
     /// Quantities that the probes record.

@@ -16,6 +16,9 @@ use crate::errors::short;
 use crate::joints::{GapClosure, JointEquations, RecordedCoordinate};
 use crate::model::{Output, Quantity};
 
+/// Distance from a restart, relative to the step, within which a state is that of the restart.
+const RESTART: f64 = 1e-6;
+
 /// Equations of motion of a model, with the data to evaluate their solution.
 #[derive(Debug)]
 pub struct Assembly {
@@ -39,6 +42,8 @@ pub struct Assembly {
     pub(crate) owned: OwnedTerms,
     /// Acceleration of gravity.
     pub(crate) gravity: Vector3<f64>,
+    /// Start and step of a motion by an energy-momentum scheme.
+    pub(crate) averaged: Option<[f64; 2]>,
 }
 
 /// Terms of the system of each joint and load, in the order of the model.
@@ -75,6 +80,15 @@ impl Assembly {
             .iter()
             .flat_map(|joint| joint.held.iter().map(move |multiplier| first + multiplier))
             .collect()
+    }
+
+    /// Start of the nominal step before a recorded state of an energy-momentum scheme, whose accelerations and multipliers are those of the
+    /// step. `None` for other schemes, at the start and at jumps of loads.
+    pub(crate) fn step_start(&self, s: &State) -> Option<State> {
+        let [start, step] = self.averaged?;
+        let is_restart =
+            std::iter::once(&start).chain(&self.breaks).any(|t| (s.t - t).abs() < RESTART * step);
+        (!is_restart).then(|| s.start_of_step(step))
     }
 
     /// Reference configuration at rest.

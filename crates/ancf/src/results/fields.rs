@@ -111,8 +111,21 @@ impl<'a> Fields<'a> {
         self.scales
     }
 
-    /// Appends the values of a field in a state, station by station, in the user's units.
+    /// Appends the values of a field in a state, station by station, in the user's units. Section forces of an energy-momentum scheme are
+    /// those in the middle of the step before.
     pub fn fill(&self, field: Field, s: &State, to: &mut Vec<f64>) {
+        let first = to.len();
+        self.fill_from(field, s, to);
+        let start = if field == Field::SectionForces { self.assembly.step_start(s) } else { None };
+        if let Some(start) = start {
+            let mut before = Vec::with_capacity(to.len() - first);
+            self.fill_from(field, &start, &mut before);
+            to[first..].iter_mut().zip(before).for_each(|(x, before)| *x = 0.5 * (*x + before));
+        }
+    }
+
+    /// Appends the values of a field in a state, with its accelerations.
+    fn fill_from(&self, field: Field, s: &State, to: &mut Vec<f64>) {
         let contacts = match field {
             Field::SectionForces => self.assembly.contact_terms(s),
             Field::Resultants | Field::SurfaceStress | Field::PrincipalStress => {

@@ -1,6 +1,7 @@
 //! Columns of the power of joints and loads.
 
 use std::ops::Range;
+use std::sync::Arc;
 
 use ancf_solver::equations::{LOCAL, LocalState, State, Term};
 
@@ -15,9 +16,18 @@ pub(super) fn columns(assembly: &Assembly) -> Vec<Column> {
 }
 
 /// Appends the powers −v·f of the forces f in the equations of motion, in the user's units.
-pub(super) fn fill(assembly: &Assembly, s: &State, scales: &Scales, row: &mut Vec<f64>) {
+/// They are those in the middle between two states.
+pub(super) fn fill(assembly: &Assembly, [start, end]: [&State; 2], scales: &Scales, row: &mut Vec<f64>) {
+    if !assembly.output.power {
+        return;
+    }
+    let mut s = end.clone();
+    s.set_middle(start, end);
     let terms = assembly.system.terms();
-    let powers = owners(assembly).map(|(_, own)| terms[own].iter().map(|term| power(term.as_ref(), s)).sum());
+    // The equations of states of force laws have no force on a body.
+    let states: Vec<usize> = assembly.joints.iter().flat_map(|joint| joint.states.iter().copied()).collect();
+    let power = |term: &Arc<dyn Term>| power(term.as_ref(), &s, &states);
+    let powers = owners(assembly).map(|(_, own)| terms[own].iter().map(power).sum());
     row.extend(powers.map(|power: f64| power * scales.unit(Dimension::POWER)));
 }
 
@@ -31,9 +41,10 @@ fn owners(assembly: &Assembly) -> impl Iterator<Item = (String, Range<usize>)> +
     })
 }
 
-fn power(term: &dyn Term, s: &State) -> f64 {
+fn power(term: &dyn Term, s: &State, excluded: &[usize]) -> f64 {
     let (mut gathered, mut r) = (LocalState::EMPTY, [0.0; LOCAL]);
     let at = gathered.gather(s, term);
     term.residual(&at, &mut r[..at.q.len() + at.lambda.len()]);
-    -at.v.iter().zip(r).map(|(v, r)| v * r).sum::<f64>()
+    let rows = at.v.iter().zip(r).zip(term.coordinates());
+    -rows.filter(|(_, c)| !excluded.contains(c)).map(|((v, r), _)| v * r).sum::<f64>()
 }

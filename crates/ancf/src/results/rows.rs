@@ -1,7 +1,9 @@
+use std::sync::Arc;
+
 use ancf_mechanics::bodies::CarriedFrame;
 use ancf_mechanics::constraints::Wrench;
 use ancf_mechanics::elements::StrainEnergy;
-use ancf_solver::equations::{Energy, Power, State};
+use ancf_solver::equations::{Energy, Power, State, Term};
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 use serde::{Deserialize, Serialize};
 
@@ -9,9 +11,10 @@ use super::angle_counter::{AngleCounter, AngleHistory, AngleRates};
 use super::body_motion;
 use super::column::Column;
 use super::powers;
+use super::row_columns::{ERROR, columns, error_columns};
 use crate::assembly::Assembly;
 use crate::model::Quantity;
-use crate::units::{Dimension, Scales, UnitQuantity};
+use crate::units::{Dimension, Scales};
 
 /// Columns of a run and their values in one state, in the user's units.
 ///
@@ -53,6 +56,8 @@ pub struct Rows {
     /// First column of the errors, and the errors of the next row.
     first_error: usize,
     errors: Vec<f64>,
+    /// Start of the step before the next row, if its accelerations and multipliers are those of the step.
+    step_start: Option<State>,
 }
 
 /// Values of earlier states on which a row depends.
@@ -65,128 +70,6 @@ pub(crate) struct RowHistory {
 
 /// Indices of a symmetric matrix in the order of columns.
 const ENTRIES: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)];
-
-/// Columns of the membrane forces and moments of a shell.
-pub(crate) const RESULTANTS: [&str; 6] = ["nuu", "nvv", "nuv", "muu", "mvv", "muv"];
-/// Columns of the stresses of a shell.
-pub(crate) const SURFACE_STRESS: [&str; 10] = [
-    "suu_top",
-    "svv_top",
-    "suv_top",
-    "suu_middle",
-    "svv_middle",
-    "suv_middle",
-    "suu_bottom",
-    "svv_bottom",
-    "suv_bottom",
-    "von_mises",
-];
-
-/// Name of the first column of dynamics.
-pub(crate) const TIME: &str = "t";
-/// Name of the first column of statics and paths.
-pub(crate) const LOAD: &str = "load";
-
-/// Suffix of the columns of errors.
-const ERROR: &str = "_error";
-
-/// Columns of [`Rows`].
-pub(crate) fn columns(assembly: &Assembly, first: &str, solver: &[&str]) -> Vec<Column> {
-    let of_first = if first == TIME { Dimension::TIME } else { Dimension::NUMBER };
-    let mut columns = vec![Column::new(first, of_first)];
-    for probe in &assembly.recorded_quantities {
-        columns.extend(columns_of_probe(&probe.name, probe.quantity));
-    }
-    for name in assembly.joints() {
-        columns.extend(columns_of_reaction(name));
-    }
-    for (joint, coordinate) in assembly.joint_coordinates() {
-        let pairs = coordinate.columns().into_iter().zip(coordinate.dimensions());
-        let quantity = coordinate.quantity();
-        let columns_of = |(column, dimension)| Column::of(joint, [column], dimension);
-        columns.extend(pairs.flat_map(columns_of).map(|column| column.with_quantity(quantity)));
-    }
-    if assembly.output.energy_parts {
-        let parts = ["axial", "bending", "shear", "torsion", "section", "volume"];
-        let energies = assembly.bodies().flat_map(|(body, _)| Column::of(body, parts, Dimension::ENERGY));
-        columns.extend(energies.map(|column| column.with_quantity(UnitQuantity::Energy)));
-    }
-    columns.extend(body_motion::columns(assembly));
-    if first == TIME {
-        columns.extend(powers::columns(assembly));
-    }
-    columns.extend(solver.iter().map(|&name| Column::new(name, None)));
-    // Statics has no time history, so no energy balance.
-    let balance: &[&str] = if first == TIME { &["work", "dissipated", "balance"] } else { &[] };
-    let energies = ["kinetic", "strain", "potential"].iter().chain(balance);
-    let energy = |name| Column::new(name, Dimension::ENERGY).with_quantity(UnitQuantity::Energy);
-    columns.extend(energies.map(|&name| energy(name)));
-    columns.extend(error_columns(assembly));
-    columns
-}
-
-/// Columns of the estimated errors of positions, rotations, section forces, stresses of shells, reactions and joint coordinates.
-fn error_columns(assembly: &Assembly) -> Vec<Column> {
-    if !assembly.output.errors {
-        return Vec::new();
-    }
-    let mut values = Vec::new();
-    for probe in &assembly.recorded_quantities {
-        let count = match probe.quantity {
-            Quantity::Motion => 3,
-            Quantity::Rotation => 4,
-            Quantity::SectionForces | Quantity::Resultants => 6,
-            Quantity::SurfaceStress => SURFACE_STRESS.len(),
-            Quantity::Strain | Quantity::Stress | Quantity::InertialSensor => 0,
-        };
-        values.extend(columns_of_probe(&probe.name, probe.quantity).into_iter().take(count));
-    }
-    values.extend(assembly.joints().flat_map(columns_of_reaction));
-    for (joint, coordinate) in assembly.joint_coordinates() {
-        let ([name, _], [dimension, _]) = (coordinate.columns(), coordinate.dimensions());
-        let quantity = coordinate.quantity();
-        values
-            .extend(Column::of(joint, [name], dimension).into_iter().map(|one| one.with_quantity(quantity)));
-    }
-    values.into_iter().map(|value| Column { name: value.name + ERROR, ..value }).collect()
-}
-
-fn columns_of_reaction(joint: &str) -> Vec<Column> {
-    let force = Column::of(joint, ["fx", "fy", "fz"], Dimension::FORCE);
-    [force, Column::of(joint, ["mx", "my", "mz"], Dimension::ENERGY)].concat()
-}
-
-fn columns_of_probe(name: &str, quantity: Quantity) -> Vec<Column> {
-    let of = |names: &[&'static str], dimension| Column::of(name, names.iter().copied(), dimension);
-    match quantity {
-        Quantity::Motion => [
-            of(&["x", "y", "z"], Dimension::LENGTH),
-            of(&["vx", "vy", "vz"], Dimension::VELOCITY),
-            of(&["ax", "ay", "az"], Dimension::ACCELERATION),
-        ]
-        .concat(),
-        Quantity::Rotation => {
-            let rates = of(&["wx", "wy", "wz"], Dimension::RATE).into_iter();
-            let rates = rates.map(|rate| rate.with_quantity(UnitQuantity::Angle)).collect();
-            [of(&["e0", "e1", "e2", "e3"], Dimension::NUMBER), rates].concat()
-        }
-        Quantity::SectionForces => {
-            [of(&["N", "Qy", "Qz"], Dimension::FORCE), of(&["T", "My", "Mz"], Dimension::ENERGY)].concat()
-        }
-        Quantity::Strain => of(&["exx", "eyy", "ezz", "exy", "exz", "eyz"], Dimension::NUMBER),
-        Quantity::Stress => of(&["sxx", "syy", "szz", "sxy", "sxz", "syz"], Dimension::STRESS),
-        Quantity::InertialSensor => {
-            let rates = of(&["imu_wx", "imu_wy", "imu_wz"], Dimension::RATE).into_iter();
-            let rates = rates.map(|rate| rate.with_quantity(UnitQuantity::Angle)).collect();
-            [of(&["imu_ax", "imu_ay", "imu_az"], Dimension::ACCELERATION), rates].concat()
-        }
-        Quantity::Resultants => {
-            [of(&RESULTANTS[..3], Dimension::FORCE_PER_LENGTH), of(&RESULTANTS[3..], Dimension::FORCE)]
-                .concat()
-        }
-        Quantity::SurfaceStress => of(&SURFACE_STRESS, Dimension::STRESS),
-    }
-}
 
 impl Rows {
     /// Creates the columns of an assembly: the first one, those of probes and joints, `solver`, energies. `scales` are the units
@@ -202,6 +85,7 @@ impl Rows {
             scales,
             initial: None,
             angles: AngleCounter::new(assembly),
+            step_start: None,
         }
     }
 
@@ -225,10 +109,11 @@ impl Rows {
     ) -> &[f64] {
         self.row.clear();
         self.row.push(first);
-        self.push_probes(assembly, s);
-        for reaction in assembly.reactions(s) {
-            self.extend(reaction.force, Dimension::FORCE);
-            self.extend(reaction.moment, Dimension::ENERGY);
+        let start = self.step_start.take();
+        let start = start.as_ref().unwrap_or(s);
+        self.push_probes(assembly, [start, s]);
+        for reaction in assembly.reactions(start).zip(assembly.reactions(s)) {
+            self.push_mean(reaction);
         }
         self.push_joint_coordinates(assembly, s);
         if assembly.output.energy_parts {
@@ -241,7 +126,7 @@ impl Rows {
         }
         body_motion::fill(assembly, s, &self.scales, &mut self.row);
         if exchanged.is_some() {
-            powers::fill(assembly, s, &self.scales, &mut self.row);
+            powers::fill(assembly, [start, s], &self.scales, &mut self.row);
         }
         self.row.extend(solver);
         for part in [energy.kinetic, energy.strain, energy.potential] {
@@ -270,6 +155,11 @@ impl Rows {
             let is_own = |(value, _): &(&str, f64)| column.name.strip_suffix(ERROR) == Some(value);
             *error = given.next_if(is_own).map_or(f64::NAN, |(_, error)| error);
         }
+    }
+
+    /// Sets the start of the step before the next row, if its accelerations and multipliers are those of the step.
+    pub(crate) fn set_step_start(&mut self, start: Option<State>) {
+        self.step_start = start;
     }
 
     /// Counts the turns of joint angles up to a state at the time, load factor or arc length `at`, in solver units. It must be
@@ -309,7 +199,8 @@ impl Rows {
         self.angles.restore(&history.angles)
     }
 
-    fn push_probes(&mut self, assembly: &Assembly, s: &State) {
+    /// Appends the values of the probes in a state. Forces and accelerations are means of both ends of the step before.
+    fn push_probes(&mut self, assembly: &Assembly, [start, s]: [&State; 2]) {
         let mut contacts = None;
         for probe in &assembly.recorded_quantities {
             match probe.quantity {
@@ -325,20 +216,26 @@ impl Rows {
                     }
                 }
                 Quantity::InertialSensor => {
-                    if let Some(([w, x, y, z], velocity)) = probe.place.rotation(s) {
+                    let sensed = |s: &State| {
+                        let ([w, x, y, z], velocity) = probe.place.rotation(s)?;
                         let turn = UnitQuaternion::from_quaternion(Quaternion::new(w, x, y, z)).inverse();
                         let acceleration = probe.place.point.acceleration(s) - assembly.gravity;
-                        self.extend(turn * acceleration, Dimension::ACCELERATION);
-                        self.extend(turn * velocity, Dimension::RATE);
+                        Some([turn * acceleration, turn * velocity])
+                    };
+                    if let (Some([before, _]), Some([after, rate])) = (sensed(start), sensed(s)) {
+                        self.extend((before + after) * 0.5, Dimension::ACCELERATION);
+                        self.extend(rate, Dimension::RATE);
                     }
                 }
                 Quantity::SectionForces => {
-                    let contacts = contacts.get_or_insert_with(|| assembly.contact_terms(s));
-                    let mut frame = CarriedFrame::default();
-                    let found = assembly.section_forces(probe.body, probe.s, s, contacts, &mut frame);
-                    let Some(Wrench { force, moment }) = found else { continue };
-                    self.extend(force, Dimension::FORCE);
-                    self.extend(moment, Dimension::ENERGY);
+                    let contacts =
+                        contacts.get_or_insert_with(|| [start, s].map(|s| assembly.contact_terms(s)));
+                    let at = |s: &State, contacts: &[Arc<dyn Term>]| {
+                        let mut frame = CarriedFrame::default();
+                        assembly.section_forces(probe.body, probe.s, s, contacts, &mut frame)
+                    };
+                    let found = at(start, &contacts[0]).zip(at(s, &contacts[1]));
+                    found.into_iter().for_each(|both| self.push_mean(both));
                 }
                 Quantity::Resultants | Quantity::SurfaceStress => {
                     let body = assembly.body_of(probe.body);
@@ -375,6 +272,12 @@ impl Rows {
             let [of_value, of_rate] = coordinate.dimensions();
             row.extend([value * scales.unit(of_value), rate * scales.unit(of_rate)]);
         }
+    }
+
+    /// Appends the mean of two forces and moments.
+    fn push_mean(&mut self, (a, b): (Wrench, Wrench)) {
+        self.extend((a.force + b.force) * 0.5, Dimension::FORCE);
+        self.extend((a.moment + b.moment) * 0.5, Dimension::ENERGY);
     }
 
     fn push(&mut self, value: f64, of: Dimension) {

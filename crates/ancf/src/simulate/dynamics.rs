@@ -239,6 +239,7 @@ impl<'a> AnalysisRun<'a> {
         let dynamics = control.dynamics();
         let s = dynamics.state();
         let (t, energy) = (s.t * self.summary.scales.time, dynamics.energy());
+        rows.set_step_start(dynamics.step_start());
         let row = rows.fill(self.assembly, s, t, &values, energy, Some(dynamics.energy_exchange()));
         self.summary.ended_by = conditions.met(row, self.summary.scales);
         let flow = self.observer.record(row, s)?;

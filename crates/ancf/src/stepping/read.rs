@@ -40,6 +40,7 @@ impl Stepper {
             let t = self.time();
             let Self { rows, dynamics, simulation, .. } = self;
             let exchange = Some(dynamics.energy_exchange());
+            rows.set_step_start(dynamics.step_start());
             rows.fill(&simulation.assembly, dynamics.state(), t, &values, dynamics.energy(), exchange);
         }
         self.rows.last()

@@ -120,6 +120,19 @@ pub struct StepStates<'a> {
 }
 
 impl State {
+    /// Returns the start of the step h of the energy-momentum scheme that ends in this state, with the accelerations a = (v₁ − v₀)/h and
+    /// the multipliers of the step: v₀ = v₁ − h a and q₀ = q₁ − ½ h (v₀ + v₁).
+    #[must_use]
+    pub fn start_of_step(&self, h: f64) -> Self {
+        let mut start = self.clone();
+        for i in 0..self.q.len() {
+            start.v[i] -= h * self.a[i];
+            start.q[i] -= 0.5 * h * (start.v[i] + self.v[i]);
+        }
+        start.t -= h;
+        start
+    }
+
     /// Sets the middle of a step: means of the ends, with the accelerations and multipliers of the end.
     pub fn set_middle(&mut self, from: &Self, to: &Self) {
         let mean = |x: &mut [f64], from: &[f64], to: &[f64]| {

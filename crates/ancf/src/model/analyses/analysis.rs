@@ -75,6 +75,17 @@ pub struct Dynamics {
 }
 
 impl Dynamics {
+    /// Remainder of a duration, relative to the step, below which the last step is longer instead of a further step that is much
+    /// shorter. Accelerations have rounding errors of ε x/h² in a step h.
+    pub(crate) const SMALL_REMAINDER: f64 = 0.01;
+
+    /// Size of fixed steps between output times with an interval, which they divide. `None` for error control.
+    pub(crate) fn nominal_step(&self, interval: Option<f64>) -> Option<f64> {
+        let step = self.step.fixed()?;
+        let parts = |interval: f64| (interval / step - Self::SMALL_REMAINDER).ceil().max(1.0);
+        Some(interval.map_or(step, |interval| interval / parts(interval)))
+    }
+
     const fn max_iterations() -> u32 {
         50
     }

@@ -41,9 +41,8 @@ enum StepSize {
 /// Tolerance of times, relative to the step.
 pub(crate) const TIME_TOLERANCE: f64 = 1e-9;
 
-/// Remainder of a duration, relative to the step, below which the last step is longer instead of a further step that is much
-/// shorter. Accelerations have rounding errors of ε x/h² in a step h.
-pub(crate) const SMALL_REMAINDER: f64 = 0.01;
+/// Remainder of a duration, relative to the step, that is part of the last step.
+pub(crate) const SMALL_REMAINDER: f64 = Dynamics::SMALL_REMAINDER;
 
 /// Newton's method of an analysis.
 pub(crate) fn newton_method(

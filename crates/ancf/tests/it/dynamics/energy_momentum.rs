@@ -2,7 +2,8 @@
 
 use std::f64::consts::TAU;
 
-use ancf::{Model, Summary};
+use ancf::record::Series;
+use ancf::{Model, Summary, simulate};
 use nalgebra::Vector3;
 
 use crate::common::models::parse;
@@ -327,4 +328,46 @@ fn steps_by_error_control_are_rejected() {
     );
     let text = model.unwrap_err().to_string();
     assert!(text.contains("analysis.scheme") && text.contains("does not damp"), "{text}");
+}
+
+/// Forces and accelerations in a row are those of the middle of the step: an inertial sensor on a body that spins steadily reads the
+/// centripetal acceleration along the arm, and the section forces at a free end vanish with the square of the step.
+#[test]
+fn forces_of_rows_are_of_second_order() {
+    let spinning = |steps: f64| {
+        let text = format!(
+            "bodies = [{{ kind = \"rigid\", name = \"arm\", center = [0, 0, 0], mass = 1, inertia = [0.1, 0.2, 0.25], \
+             motion = {{ spin = [0, 0, 10] }} }}]\n\
+             joints = [{{ kind = \"revolute\", name = \"h\", a = {{ body = \"arm\", at = \"center\" }}, axis = [0, 0, 1] }}]\n\
+             probes = [{{ name = \"p\", on = {{ body = \"arm\", at = [0.5, 0, 0] }}, record = [\"inertial_sensor\"] }}]\n\
+             analysis = {{ kind = \"dynamics\", duration = 0.6, step = {}, scheme = \"energy\" }}\n",
+            TAU / 10.0 / steps
+        );
+        let mut series = Series::new();
+        assert!(simulate(&parse(&text), &mut series).unwrap().outcome.is_finished());
+        ["p.imu_ax", "p.imu_ay"].map(|name| series.column(name).unwrap()[5])
+    };
+    let [[_, across], [coarse, _], [fine, _]] = [spinning(40.0), spinning(20.0), spinning(40.0)];
+    assert!(across.abs() < 1e-9, "{across}");
+    let ratio = (coarse + 50.0) / (fine + 50.0);
+    assert!((ratio - 4.0).abs() < 0.2 && (fine + 50.0).abs() < 0.5, "{coarse} {fine}");
+    let driven = |step: f64| {
+        let text = format!(
+            "gravity = [1, 2, -3]\nmaterials.s = {{ density = 7850, young = 2e9, poisson = 0.3, damping = {{ strain = 5e-3 }} }}\n\
+             sections.r = {{ kind = \"rectangle\", height = 0.02, width = 0.01 }}\n\
+             bodies = [{{ kind = \"beam\", name = \"b\", from = [0, 0, 0], to = [1, 0, 0], elements = 3, section = \"r\", material = \"s\" }}]\n\
+             joints = [{{ kind = \"drive\", name = \"w\", a = {{ body = \"b\", at = \"start\" }}, axis = [0, 1, 1], angle = 1, \
+             time = {{ kind = \"expression\", text = \"sin(20*t)^2\" }} }}]\n\
+             probes = [{{ name = \"p\", on = {{ body = \"b\", at = \"end\" }}, record = [\"section_forces\"] }}]\n\
+             analysis = {{ kind = \"dynamics\", duration = 0.04, step = {step}, scheme = \"energy\" }}\n"
+        );
+        let mut series = Series::new();
+        assert!(simulate(&parse(&text), &mut series).unwrap().outcome.is_finished());
+        ["p.N", "p.Qy", "p.Qz"].map(|name| *series.column(name).unwrap().last().unwrap())
+    };
+    let [coarse, fine] = [driven(5e-4), driven(2.5e-4)];
+    for (coarse, fine) in coarse.iter().zip(fine) {
+        assert!((coarse / fine - 4.0).abs() < 0.5, "{coarse} {fine}");
+    }
+    assert!(fine[1].abs() < 1e-3 && fine[2].abs() < 1e-3, "{fine:?}");
 }

@@ -103,6 +103,14 @@ impl Assembly {
         moved.fold(0.0, f64::max)
     }
 
+    /// Largest change of a direction between two states, relative to its size.
+    pub(crate) fn turn(&self, from: &State, to: &State) -> f64 {
+        let pairs = self.bodies().flat_map(|(_, body)| body.vectors(from).into_iter().zip(body.vectors(to)));
+        let directions =
+            pairs.filter(|(vector, _)| !vector.is_position() && vector.kind != VectorKind::Twist);
+        directions.map(|(a, b)| (b.value - a.value).norm() / a.value.norm()).fold(0.0, f64::max)
+    }
+
     /// Names of the joints.
     pub fn joints(&self) -> impl Iterator<Item = &str> {
         self.with_reactions().map(|joint| joint.name.as_str())

@@ -22,6 +22,8 @@ pub struct StartState {
 
 /// Displacement by the projection of positions, relative to the length of the model, that is reported as a warning.
 const MOVED: f64 = 1e-6;
+/// Rotation by the projection of positions that is reported as a warning, in rad.
+const TURNED: f64 = 1e-6;
 /// Relative kinetic energy of the correction of velocities that is reported as a warning. Stored velocities violate constraints
 /// by the errors of their time steps.
 const CORRECTED: f64 = 1e-6;
@@ -41,6 +43,7 @@ impl StartState {
         consistent_positions(&assembly.system, &mut assembly.system.matrix(), &mut state, length)
             .map_err(|error| self.failure(error))?;
         let moved = assembly.displacement(&self.state, &state);
+        let turned = assembly.turn(&self.state, &state);
         let state = assembly.with_motions(state, model);
         let corrected = assembly.projection(&state).unwrap_or(0.0);
         let source = self.source.clone();
@@ -50,6 +53,13 @@ impl StartState {
                 "the positions of {source} violate constraints of joints and drives at t = {}: their correction moves a point by {}",
                 short(state.t * scales.time),
                 short(moved * scales.length)
+            ));
+        } else if turned > TURNED {
+            warnings.push(format!(
+                "the rotations of {source} violate constraints of joints and drives at t = {}: their correction turns a section or a body by \
+                 about {} rad, which strains flexible bodies",
+                short(state.t * scales.time),
+                short(turned)
             ));
         }
         if corrected > CORRECTED {

@@ -99,7 +99,8 @@ impl ContactGeometry {
         let (mut nets, mut deviation) = (Vec::new(), 0.0_f64);
         for (number, values) in mesh.relative_thicknesses().into_iter().flatten().enumerate() {
             // Values have the smallest radius as their origin, derivatives have none.
-            let of = |k: usize| 0.5 * thickness * values[k] - if k % 4 == 0 { own.radius } else { 0.0 };
+            let of =
+                |k: usize| 0.5 * thickness * values[k] - if k.is_multiple_of(4) { own.radius } else { 0.0 };
             let net = BicubicNet::from_nodes(&std::array::from_fn(of));
             for at in places() {
                 let [t, s] = mesh.tangents(number, at);

@@ -42,7 +42,6 @@ fn errors_of_free_vibrations() {
     ] {
         let (found, errors) = run(&text(shell, elements, h), true);
         let [ratio, size] = ratio(&found, &fine, (h / 1.25e-3).round() as usize, "p.z");
-        println!("{shell:?}, {elements:?}, {h}: {ratio} of {size}");
         assert!((0.5..2.0).contains(&ratio), "{shell:?}, {elements:?}, {h}: {ratio} of {size}");
         let errors = errors.unwrap();
         assert!(errors.are_steps_known && errors.is_mesh_known && !errors.is_rough);

@@ -2,8 +2,7 @@
 
 use ancf::reading::AnalysisSequence;
 use ancf::record::Series;
-use ancf::solver::equations::State;
-use ancf::{InitialReport, Model, Simulation, Summary};
+use ancf::{GivenState, InitialReport, Model, Simulation, Summary};
 
 use super::given_states::States;
 use crate::common::models::parse;
@@ -11,15 +10,12 @@ use crate::common::models::parse;
 /// Runs all analyses of a sequence, each from the last state before it. Returns their columns and summaries.
 fn run_all(text: &str) -> Vec<(Series, Summary)> {
     let sequence = AnalysisSequence::parse(text).unwrap().expect("a list of analyses");
-    let (mut time, mut last): (f64, Option<(Simulation, State, Vec<(String, f64)>)>) = (0.0, None);
-    let mut runs = Vec::new();
+    let (mut time, mut runs) = (0.0, Vec::new());
+    let mut last: Option<GivenState> = None;
     for stage in sequence.stages {
         let model = Model::parse(&stage.text(time)).unwrap();
         let simulation = Simulation::new(&model).unwrap();
-        let start = last.as_ref().map(|(other, state, angles)| {
-            let given = other.given_state(state, "the analysis before").with_angles(angles.clone());
-            simulation.start_from(&given).unwrap()
-        });
+        let start = last.as_ref().map(|given| simulation.start_from(given).unwrap());
         let mut states = States::default();
         let summary = match &start {
             Some(start) => simulation.run_from(start, &mut states).unwrap(),
@@ -31,9 +27,8 @@ fn run_all(text: &str) -> Vec<(Series, Summary)> {
             time = summary.time;
         }
         let counted = simulation.counted_angles().into_iter();
-        let angles =
-            counted.map(|name| (name.clone(), *states.series.column(&name).unwrap().last().unwrap()));
-        last = Some((simulation, state, angles.collect()));
+        let angles = counted.map(|name| (name.clone(), self::last(&states.series, &name)));
+        last = Some(simulation.given_state(&state, "the analysis before").with_angles(angles));
         runs.push((states.series, summary));
     }
     runs

@@ -207,7 +207,11 @@ def run_simulation(
 
     A true return value of any of them ends the run. It starts in the last state of the result `after`, if there is one.
     """
-    last = None if after is None else (after.states, dict(zip(after.columns, after.data[-1].tolist(), strict=True)))
+    last = (
+        None
+        if after is None
+        else (after.states, dict(zip(after.columns, after.data[-1].tolist(), strict=True)))
+    )
     done = simulation.run(states, observer, tick, stop, last)
     kind, _ = simulation.analysis
     result = Result(

@@ -99,3 +99,30 @@ def test_checks_describe_each_analysis() -> None:
     assert "analysis `hang`" in text
     assert "analysis `swing`" in text
     assert text.count("degrees of freedom") == 4
+
+
+def test_turns_continue() -> None:
+    """A hinge that turns freely counts its turns through all analyses, from a result and from a folder."""
+    rotor: dict[str, Any] = {
+        "bodies": [
+            {
+                "kind": "rigid",
+                "name": "rotor",
+                "center": [0, 0, 0],
+                "mass": 1,
+                "inertia": [1, 1, 1],
+                "motion": {"spin": [0, 0, 10]},
+            }
+        ],
+        "joints": [
+            {"kind": "revolute", "name": "h", "a": {"body": "rotor", "at": "center"}, "axis": [0, 0, 1]}
+        ],
+        "analysis": [
+            {"kind": "dynamics", "name": "a", "duration": 1, "step": 0.01},
+            {"kind": "dynamics", "name": "b", "duration": 1, "step": 0.01},
+        ],
+    }
+    first, second = ancf.run_sequence(rotor).values()
+    assert abs(first["h.angle"][-1] - 10) < 0.02
+    assert second["h.angle"][0] == pytest.approx(first["h.angle"][-1], abs=1e-9)
+    assert abs(second["h.angle"][-1] - 20) < 0.04

@@ -33,6 +33,6 @@ pub(crate) use rotation::{relative_driven_rotation, relative_rotation};
 pub use section_frame::{FrameValues, SectionFrame};
 pub use shape::{BeamShape, Interpolation, QuadraticShape, VectorKind};
 pub(crate) use surfaces::{
-    BicubicNet, CONVEX, OffsetValues, SurfaceSlopes, SurfaceValues, along, closest_offset_point,
-    closest_point, derivatives, offset_derivatives,
+    BicubicNet, CONVEX, OffsetValues, SurfaceSlopes, SurfaceValues, closest_offset_point, closest_point,
+    gap_slopes,
 };

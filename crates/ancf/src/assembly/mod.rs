@@ -15,6 +15,7 @@ mod sharing;
 mod start;
 
 pub use assembled::{Assembly, RecordedQuantity};
+pub(crate) use contacts::MutualGeometry;
 pub(crate) use contradictions::contradictions;
 pub(crate) use gases::{enclosures, gas_warnings};
 pub use redundancy::Redundant;

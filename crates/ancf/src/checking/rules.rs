@@ -12,7 +12,8 @@ use crate::errors::{Finding, finding, number};
 use crate::joints::{End, Joint};
 use crate::loads::Load;
 use crate::model::{
-    About, Analysis, IndexedModel, Initial, Model, Modes, ON_AXIS, Place, bodies_of, joints_of, loads_of,
+    About, Analysis, IndexedModel, Initial, Model, Modes, ON_AXIS, Place, Statics, bodies_of, joints_of,
+    loads_of,
 };
 use crate::schema::join;
 use crate::units::ScaleChoice;
@@ -177,8 +178,9 @@ fn initial(model: &IndexedModel<'_>) -> Vec<Finding> {
     let unsuitable = match &model.analysis {
         Analysis::Dynamics(_) => return Vec::new(),
         Analysis::Statics(own) if own.load == 0.0 => {
-            let expected = "another number than 0 for statics from a given state, which is released in proportion to the load factor";
-            return vec![finding("analysis.load".into(), "0", expected).rests_on(["initial.from".into()])];
+            return vec![
+                finding("analysis.load".into(), "0", Statics::RELEASING).rests_on(["initial.from".into()]),
+            ];
         }
         Analysis::Statics(_) | Analysis::Modes(Modes { about: About::Equilibrium, .. }) => None,
         Analysis::Modes(_) => Some("modes about the reference state"),

@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::connections::Connections;
+use crate::assembly::MutualGeometry;
 use crate::errors::percentage;
 use crate::model::{IndexedModel, Model};
 
@@ -14,8 +15,8 @@ const DEVIATION: f64 = 0.05;
 
 /// Warnings of bodies in contact with each other.
 pub(super) fn contact_warnings(model: &Model) -> Vec<String> {
-    let found = IndexedModel::new(model).mutual_geometry();
-    let coarse = found.deviations.iter().filter(|(_, deviation)| **deviation > DEVIATION).map(|(body, deviation)| {
+    let MutualGeometry { overlapping, deviations } = IndexedModel::new(model).mutual_geometry();
+    let coarse = deviations.iter().filter(|(_, deviation)| **deviation > DEVIATION).map(|(body, deviation)| {
         format!(
             "shell `{}`: in contact with other bodies its surface deviates by up to {} of half the thickness, which varies fast; use \
              smaller elements, or a thickness with smaller slopes",
@@ -23,7 +24,7 @@ pub(super) fn contact_warnings(model: &Model) -> Vec<String> {
             if *deviation > 1.0 { "more than 100 %".to_owned() } else { percentage(*deviation) }
         )
     });
-    coarse.chain(overlap_warning(model, found.overlapping.clone())).collect()
+    coarse.chain(overlap_warning(model, overlapping)).collect()
 }
 
 /// Warning of bodies in contact that overlap in the undeformed state, so that parts of them do not touch.

@@ -16,17 +16,28 @@ pub(super) fn columns(assembly: &Assembly) -> Vec<Column> {
 }
 
 /// Appends the powers −v·f of the forces f in the equations of motion, in the user's units.
-/// They are those in the middle between two states.
-pub(super) fn fill(assembly: &Assembly, [start, end]: [&State; 2], scales: &Scales, row: &mut Vec<f64>) {
+///
+/// With the start of the step before they are those of its middle.
+pub(super) fn fill(
+    assembly: &Assembly,
+    start: Option<&State>,
+    s: &State,
+    scales: &Scales,
+    row: &mut Vec<f64>,
+) {
     if !assembly.output.power {
         return;
     }
-    let mut s = end.clone();
-    s.set_middle(start, end);
+    let middle = start.map(|start| {
+        let mut middle = s.clone();
+        middle.set_middle(start, s);
+        middle
+    });
+    let s = middle.as_ref().unwrap_or(s);
     let terms = assembly.system.terms();
     // The equations of states of force laws have no force on a body.
     let states: Vec<usize> = assembly.joints.iter().flat_map(|joint| joint.states.iter().copied()).collect();
-    let power = |term: &Arc<dyn Term>| power(term.as_ref(), &s, &states);
+    let power = |term: &Arc<dyn Term>| power(term.as_ref(), s, &states);
     let powers = owners(assembly).map(|(_, own)| terms[own].iter().map(power).sum());
     row.extend(powers.map(|power: f64| power * scales.unit(Dimension::POWER)));
 }

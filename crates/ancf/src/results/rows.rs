@@ -110,10 +110,11 @@ impl Rows {
         self.row.clear();
         self.row.push(first);
         let start = self.step_start.take();
-        let start = start.as_ref().unwrap_or(s);
-        self.push_probes(assembly, [start, s]);
-        for reaction in assembly.reactions(start).zip(assembly.reactions(s)) {
-            self.push_mean(reaction);
+        let start = start.as_ref();
+        self.push_probes(assembly, start, s);
+        let mut before = start.map(|start| assembly.reactions(start));
+        for reaction in assembly.reactions(s) {
+            self.push_wrench(before.as_mut().and_then(Iterator::next), reaction);
         }
         self.push_joint_coordinates(assembly, s);
         if assembly.output.energy_parts {
@@ -126,7 +127,7 @@ impl Rows {
         }
         body_motion::fill(assembly, s, &self.scales, &mut self.row);
         if exchanged.is_some() {
-            powers::fill(assembly, [start, s], &self.scales, &mut self.row);
+            powers::fill(assembly, start, s, &self.scales, &mut self.row);
         }
         self.row.extend(solver);
         for part in [energy.kinetic, energy.strain, energy.potential] {
@@ -199,8 +200,8 @@ impl Rows {
         self.angles.restore(&history.angles)
     }
 
-    /// Appends the values of the probes in a state. Forces and accelerations are means of both ends of the step before.
-    fn push_probes(&mut self, assembly: &Assembly, [start, s]: [&State; 2]) {
+    /// Appends the values of the probes in a state. With the start of the step before, forces and accelerations are means of both ends.
+    fn push_probes(&mut self, assembly: &Assembly, start: Option<&State>, s: &State) {
         let mut contacts = None;
         for probe in &assembly.recorded_quantities {
             match probe.quantity {
@@ -222,20 +223,23 @@ impl Rows {
                         let acceleration = probe.place.point.acceleration(s) - assembly.gravity;
                         Some([turn * acceleration, turn * velocity])
                     };
-                    if let (Some([before, _]), Some([after, rate])) = (sensed(start), sensed(s)) {
-                        self.extend((before + after) * 0.5, Dimension::ACCELERATION);
+                    if let Some([acceleration, rate]) = sensed(s) {
+                        let before = start.and_then(sensed).map(|[before, _]| before);
+                        self.extend(mean(before, acceleration), Dimension::ACCELERATION);
                         self.extend(rate, Dimension::RATE);
                     }
                 }
                 Quantity::SectionForces => {
-                    let contacts =
-                        contacts.get_or_insert_with(|| [start, s].map(|s| assembly.contact_terms(s)));
+                    let (contacts, before) = contacts.get_or_insert_with(|| {
+                        (assembly.contact_terms(s), start.map(|start| (start, assembly.contact_terms(start))))
+                    });
                     let at = |s: &State, contacts: &[Arc<dyn Term>]| {
                         let mut frame = CarriedFrame::default();
                         assembly.section_forces(probe.body, probe.s, s, contacts, &mut frame)
                     };
-                    let found = at(start, &contacts[0]).zip(at(s, &contacts[1]));
-                    found.into_iter().for_each(|both| self.push_mean(both));
+                    let Some(found) = at(s, contacts) else { continue };
+                    let before = before.as_ref().and_then(|(start, contacts)| at(start, contacts));
+                    self.push_wrench(before, found);
                 }
                 Quantity::Resultants | Quantity::SurfaceStress => {
                     let body = assembly.body_of(probe.body);
@@ -274,10 +278,10 @@ impl Rows {
         }
     }
 
-    /// Appends the mean of two forces and moments.
-    fn push_mean(&mut self, (a, b): (Wrench, Wrench)) {
-        self.extend((a.force + b.force) * 0.5, Dimension::FORCE);
-        self.extend((a.moment + b.moment) * 0.5, Dimension::ENERGY);
+    /// Appends a force and moment; with those at the start of the step, their mean.
+    fn push_wrench(&mut self, before: Option<Wrench>, Wrench { force, moment }: Wrench) {
+        self.extend(mean(before.map(|before| before.force), force), Dimension::FORCE);
+        self.extend(mean(before.map(|before| before.moment), moment), Dimension::ENERGY);
     }
 
     fn push(&mut self, value: f64, of: Dimension) {
@@ -292,4 +296,9 @@ impl Rows {
     fn push_entries(&mut self, value: &Matrix3<f64>, of: Dimension) {
         ENTRIES.iter().for_each(|&at| self.push(value[at], of));
     }
+}
+
+/// Mean of a vector at both ends of a step, or the vector at its end.
+fn mean(before: Option<Vector3<f64>>, end: Vector3<f64>) -> Vector3<f64> {
+    before.map_or(end, |before| (before + end) * 0.5)
 }

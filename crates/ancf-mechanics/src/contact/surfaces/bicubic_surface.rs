@@ -4,8 +4,7 @@ use nalgebra::Vector3;
 
 use super::target::TargetSurface;
 use crate::kinematics::{
-    BicubicNet, OffsetValues, SurfaceSlopes, SurfaceValues, along, closest_offset_point, closest_point,
-    derivatives, offset_derivatives,
+    BicubicNet, SurfaceSlopes, SurfaceValues, closest_offset_point, closest_point, gap_slopes,
 };
 use crate::shells::ElementSurface;
 
@@ -70,14 +69,7 @@ impl BicubicSurface {
         values: &SurfaceValues,
         at: [f64; 2],
     ) -> (SurfaceSlopes, [Vector3<f64>; 2]) {
-        let tangents = [&values[1], &values[2]];
-        match &self.excess {
-            None => (derivatives(d, values), tangents.map(Vector3::clone)),
-            Some(excess) => {
-                let e: OffsetValues = excess.at(at);
-                (offset_derivatives(d, values, &e), along(d, tangents))
-            }
-        }
+        gap_slopes(d, values, self.excess.as_ref().map(|excess| excess.at(at)))
     }
 
     /// Returns (ξ, η) of the nearest Bézier point, as on a plane parallelogram.
@@ -115,7 +107,6 @@ impl TargetSurface for BicubicSurface {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::kinematics::derivatives;
     use crate::shells::VECTORS;
 
     /// Linear congruential generator of numbers in [−1, 1).
@@ -181,7 +172,7 @@ mod tests {
                 grid.clone().flat_map(|i| grid.clone().map(move |j| [i, j].map(|k| f64::from(k) / 20.0)));
             let nearest = places.map(|at| (p - form.point(at)).norm()).fold(f64::INFINITY, f64::min);
             assert!(d.norm() <= nearest + 1e-12, "{at:?}: {} > {nearest}", d.norm());
-            let (gradient, _, _) = derivatives(&d, &form.at(at));
+            let ((gradient, ..), _) = gap_slopes(&d, &form.at(at), None);
             let is_inner = at.map(|x| x > 0.0 && x < 1.0);
             assert!((0..2).all(|k| !is_inner[k] || gradient[k].abs() < 1e-9), "{at:?}: {gradient}");
             inside += usize::from(is_inner == [true; 2]);

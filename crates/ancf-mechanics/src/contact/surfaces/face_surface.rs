@@ -3,7 +3,7 @@ use smallvec::SmallVec;
 
 use super::target::TargetSurface;
 use crate::contact::parts::{FaceNodes, FacePart, Foot, PartWeights};
-use crate::kinematics::{SurfaceValues, along, derivatives, offset_derivatives};
+use crate::kinematics::{SurfaceValues, gap_slopes};
 use crate::shells::{NODES, Shape, along_offset_edge};
 
 /// Middle surface of an element of a shear-deformable shell in a state, linear or bilinear between its nodes.
@@ -50,16 +50,8 @@ impl FaceSurface {
             },
             FacePart::Edge(k) => {
                 let [a, b] = [k, (k + 1) % self.nodes.len()];
-                let along = match &self.excess {
-                    None => {
-                        let edge = self.nodes[b] - self.nodes[a];
-                        ((point - self.nodes[a]).dot(&edge) / edge.norm_squared()).clamp(0.0, 1.0)
-                    }
-                    Some(excess) => {
-                        let ends = [&self.nodes[a], &self.nodes[b]];
-                        along_offset_edge(point, ends, [excess[a], excess[b]])
-                    }
-                };
+                let excess = self.excess.as_ref().map_or([0.0; 2], |excess| [excess[a], excess[b]]);
+                let along = along_offset_edge(point, [&self.nodes[a], &self.nodes[b]], excess);
                 [0, 1].map(|i| corners[a][i] + (corners[b][i] - corners[a][i]) * along)
             }
             FacePart::Node(k) => corners[k],
@@ -120,14 +112,8 @@ impl FaceSurface {
         let at = self.closest(part, point);
         let values = self.values(at);
         let d = point - values[0];
-        let tangents = [&values[1], &values[2]];
-        let ((_, bent, _), [x, y]) = match &self.excess {
-            None => (derivatives(&d, &values), tangents.map(Vector3::clone)),
-            Some(excess) => {
-                let e = self.shape.offset_values(at, excess);
-                (offset_derivatives(&d, &values, &e), along(&d, tangents))
-            }
-        };
+        let offset = self.excess.as_ref().map(|excess| self.shape.offset_values(at, excess));
+        let ((_, bent, _), [x, y]) = gap_slopes(&d, &values, offset);
         let compliance = match self.edges_at(at)[..] {
             [] => bent.try_inverse().unwrap_or_else(Matrix2::zeros),
             [edge] => {

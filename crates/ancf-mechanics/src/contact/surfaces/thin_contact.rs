@@ -83,24 +83,10 @@ impl SurfaceTarget for SurfaceGeometry {
 }
 
 impl ThinContact {
-    /// Creates the contact of some points with an element. `radius` is the sum of the radius of the points and half the thickness.
-    ///
-    /// `free` marks the edges ξ = 0 and ξ = 1, and η = 0 and η = 1, beyond which the shell does not continue.
-    pub fn new(
-        points: &[ContactPoint],
-        surface: &ElementSurface,
-        free: [[bool; 2]; 2],
-        radius: f64,
-        law: ContactLaw,
-    ) -> Self {
-        let geometry = SurfaceGeometry { number: 0, surface: surface.clone(), free, excess: None };
-        Self::with_element(points, &geometry, radius, law)
-    }
-
     /// Creates the contact of some points with an element of another thin shell, if there is such an element.
     ///
     /// `radius` is the sum of the smallest radii of both bodies.
-    pub fn of_element(
+    pub fn new(
         points: &[ContactPoint],
         (shell, element): (&ContactGeometry, usize),
         radius: f64,

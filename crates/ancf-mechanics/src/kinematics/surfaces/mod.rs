@@ -5,5 +5,5 @@ mod closest_point;
 mod offset;
 
 pub(crate) use bicubic_net::BicubicNet;
-pub(crate) use closest_point::{CONVEX, SurfaceSlopes, SurfaceValues, closest_point, derivatives};
-pub(crate) use offset::{OffsetValues, along, closest_offset_point, offset_derivatives};
+pub(crate) use closest_point::{CONVEX, SurfaceSlopes, SurfaceValues, closest_point};
+pub(crate) use offset::{OffsetValues, closest_offset_point, gap_slopes};

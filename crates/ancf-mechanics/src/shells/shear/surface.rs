@@ -18,26 +18,6 @@ fn sum(shape: &[f64; NODES], x: &[Vector3<f64>]) -> Vector3<f64> {
     x.iter().zip(shape).map(|(x, weight)| x * *weight).sum()
 }
 
-/// Nearest point of a triangle: the projection on its plane, or the nearest point of its edges.
-fn project_on_triangle(point: &Vector3<f64>, x: &[Vector3<f64>]) -> [f64; 2] {
-    let (t, s, gap) = (x[1] - x[0], x[2] - x[0], point - x[0]);
-    let gram = Matrix2::new(t.dot(&t), t.dot(&s), t.dot(&s), s.dot(&s));
-    let inside = gram.try_inverse().map(|inverse| inverse * Vector2::new(gap.dot(&t), gap.dot(&s)));
-    if let Some(at) = inside.filter(|at| at.min() >= 0.0 && at.sum() <= 1.0) {
-        return [at.x, at.y];
-    }
-    let corners = Shape::Triangle.corners();
-    let on_edge = |a: usize| {
-        let b = (a + 1) % 3;
-        let edge = x[b] - x[a];
-        let along = ((point - x[a]).dot(&edge) / edge.norm_squared()).clamp(0.0, 1.0);
-        let at = [0, 1].map(|i| corners[a][i] + (corners[b][i] - corners[a][i]) * along);
-        (at, (x[a] + edge * along - point).norm())
-    };
-    let edges = [on_edge(0), on_edge(1), on_edge(2)];
-    edges.into_iter().min_by(|(_, a), (_, b)| a.total_cmp(b)).map_or([0.0; 2], |(at, _)| at)
-}
-
 /// Bound of 1 − s² for an offset that rises by s per length. A steeper one has its closest point at the larger end.
 const STEEP: f64 = 1e-12;
 
@@ -107,7 +87,7 @@ impl Shape {
     /// Finds (ξ, η) of the nearest point of an element, for the positions of its nodes.
     pub(crate) fn nearest(self, point: &Vector3<f64>, x: &[Vector3<f64>]) -> [f64; 2] {
         match self {
-            Self::Triangle => project_on_triangle(point, x),
+            Self::Triangle => project_on_offset(point, x, &[0.0; 3]),
             Self::Quad => closest_point(point, [0.5; 2], |at| self.surface_values(at, x)),
         }
     }

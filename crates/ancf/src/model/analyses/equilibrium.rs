@@ -31,6 +31,11 @@ pub struct Statics {
     pub max_iterations: u32,
 }
 
+impl Statics {
+    /// Expected load factor of statics from a given state.
+    pub(crate) const RELEASING: &str = "another number than 0 for statics from a given state, which is released in proportion to the load factor";
+}
+
 impl Default for Statics {
     fn default() -> Self {
         Self {

@@ -13,7 +13,7 @@ use crate::estimate::HalvedModel;
 use crate::initial::{GivenState, StartState};
 use crate::joints::{CustomJoint, Joint, JointKind};
 use crate::loads::{CustomLoad, Load, LoadKind};
-use crate::model::{Analysis, Model, Section, SectionObject};
+use crate::model::{Analysis, Model, Section, SectionObject, Statics};
 use crate::results::{Column, counted_angles};
 use crate::units::{ChosenScales, Scales};
 
@@ -88,8 +88,7 @@ impl Simulation {
     /// If the state belongs to another structure, or cannot be released because the load factor of statics is 0.
     pub fn start_from(&self, given: &GivenState) -> Result<StartState, ModelErrors> {
         if matches!(&self.scaled.analysis, Analysis::Statics(own) if own.load == 0.0) {
-            let expected = "another number than 0 for statics from a given state, which is released in proportion to the load factor";
-            return Err(ModelErrors(vec![ModelError::new("analysis.load", "0", expected)]));
+            return Err(ModelErrors(vec![ModelError::new("analysis.load", "0", Statics::RELEASING)]));
         }
         let state = given.state(&self.assembly, self.scales())?;
         Ok(StartState { state, source: given.source().to_owned(), angles: given.angles().to_vec() })

@@ -65,10 +65,10 @@ fn surface_contacts(point: &ContactPoint, at: Vector3<f64>, law: ContactLaw) -> 
     let on_shell = shell(at - Vector3::new(0.1, 0.1, -1.2), [0.0, 0.0], None);
     let other = on_shell.point([0.2, 0.4]);
     let of = |(name, shift): (&str, [f64; 2])| -> Vec<(String, Box<dyn Term>)> {
-        let target = shell(at, shift, None);
-        let (surface, free) = target.element_surfaces().next().unwrap();
-        let contact =
-            |point: &ContactPoint| ThinContact::new(std::slice::from_ref(point), &surface, free, 3.0, law);
+        let target = ContactGeometry::shell(&shell(at, shift, None), 1.0, 5);
+        let contact = |point: &ContactPoint| {
+            ThinContact::new(std::slice::from_ref(point), (&target, 0), 3.0, law).expect("an element")
+        };
         // Both shells have the same coordinates.
         let own = ContactPoint::new(other.clone(), 0.02);
         vec![
@@ -129,8 +129,7 @@ pub(super) fn tapered_contacts(a: &BeamMesh, s: f64) -> Vec<(String, Box<dyn Ter
         for (name, shift) in [("interior", [0.0, 0.0]), ("edge", [0.0, 2.0]), ("corner", [2.0, 2.0])] {
             let target = ContactGeometry::shell(&shell(at, shift, Some(tapered())), 8.0, 5);
             for (owner, point) in &points {
-                let term =
-                    ThinContact::of_element(std::slice::from_ref(point), (&target, 0), 3.0, law(true, loss));
+                let term = ThinContact::new(std::slice::from_ref(point), (&target, 0), 3.0, law(true, loss));
                 let name = format!("contact: {owner} on the {name} of a tapered shell, {loss:?}");
                 cases.push((name, Box::new(term.expect("an element")), loss));
             }

@@ -12,7 +12,7 @@ use super::body_motion;
 use super::column::Column;
 use super::powers;
 use super::row_columns::{ERROR, columns, error_columns};
-use crate::assembly::Assembly;
+use crate::assembly::{Assembly, RecordedQuantity};
 use crate::model::Quantity;
 use crate::units::{Dimension, Scales};
 
@@ -217,12 +217,7 @@ impl Rows {
                     }
                 }
                 Quantity::InertialSensor => {
-                    let sensed = |s: &State| {
-                        let ([w, x, y, z], velocity) = probe.place.rotation(s)?;
-                        let turn = UnitQuaternion::from_quaternion(Quaternion::new(w, x, y, z)).inverse();
-                        let acceleration = probe.place.point.acceleration(s) - assembly.gravity;
-                        Some([turn * acceleration, turn * velocity])
-                    };
+                    let sensed = |s: &State| sensed(assembly, probe, s);
                     if let Some([acceleration, rate]) = sensed(s) {
                         let before = start.and_then(sensed).map(|[before, _]| before);
                         self.extend(mean(before, acceleration), Dimension::ACCELERATION);
@@ -296,6 +291,13 @@ impl Rows {
     fn push_entries(&mut self, value: &Matrix3<f64>, of: Dimension) {
         ENTRIES.iter().for_each(|&at| self.push(value[at], of));
     }
+}
+
+/// Acceleration less gravity and angular velocity along the axes of the section or the rigid body of a probe.
+fn sensed(assembly: &Assembly, probe: &RecordedQuantity, s: &State) -> Option<[Vector3<f64>; 2]> {
+    let ([w, x, y, z], velocity) = probe.place.rotation(s)?;
+    let turn = UnitQuaternion::from_quaternion(Quaternion::new(w, x, y, z)).inverse();
+    Some([turn * (probe.place.point.acceleration(s) - assembly.gravity), turn * velocity])
 }
 
 /// Mean of a vector at both ends of a step, or the vector at its end.

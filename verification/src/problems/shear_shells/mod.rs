@@ -1,5 +1,6 @@
 //! Shear-deformable shells on meshes of quadrilaterals and triangles.
 
+mod chrono;
 mod discs;
 mod large;
 mod linear;
@@ -12,7 +13,7 @@ mod triangles;
 use crate::Problem;
 
 /// Problems of shear-deformable shells.
-pub(super) const FAMILIES: [&[Problem]; 7] = [
+pub(super) const FAMILIES: [&[Problem]; 8] = [
     linear::PROBLEMS,
     discs::PROBLEMS,
     strips::PROBLEMS,
@@ -20,4 +21,5 @@ pub(super) const FAMILIES: [&[Problem]; 7] = [
     large::PROBLEMS,
     pinched::PROBLEMS,
     triangles::PROBLEMS,
+    chrono::PROBLEMS,
 ];

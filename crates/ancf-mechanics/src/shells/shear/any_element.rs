@@ -8,8 +8,8 @@ use nalgebra::{DVector, Vector3};
 use super::ShearMedium;
 use super::element::{ShearElement, Shell18, Shell24};
 use super::face::{NODES, Shape};
-use super::forms::Vectors;
-use super::profile::{ShearTables, tangents};
+use super::profile::tangents;
+use super::strains::{ShearTables, Vectors};
 use crate::shells::laminates::SectionField;
 use crate::shells::prestrain::{ElementPrestrain, SurfacePrestrain};
 use crate::shells::surface_stress::membrane_strain;
@@ -88,7 +88,7 @@ fn vectors<const V: usize>(u: &[Vector3<f64>]) -> Vectors<V> {
 }
 
 impl AnyElement {
-    /// Creates elements with common strain forms, from their coordinates and nodal vectors r₁, d₁, r₂, d₂, .. in the reference
+    /// Creates elements with common tables of strains, from their coordinates and nodal vectors r₁, d₁, r₂, d₂, .. in the reference
     /// state. Positions are relative to any point. Sections vary if there is a field of them.
     pub(crate) fn all(
         elements: impl IntoIterator<Item = (Vec<usize>, Vec<Vector3<f64>>)>,

@@ -3,10 +3,10 @@ use std::sync::Arc;
 use ancf_solver::equations::{
     Energy, Inadmissibility, Local, LocalMatrix, LocalStep, Term, Weights, velocity_forces,
 };
-use nalgebra::{SMatrix, SVector, Vector3};
+use nalgebra::Vector3;
 
-use super::forms::{SURFACE, Strains, Vectors, Weighting, gradient, interpolate};
-use super::profile::{ShearProfile, ShearTables, tangents, volume};
+use super::profile::{ShearProfile, tangents, volume};
+use super::strains::{Fields, Gradients, SURFACE, ShearTables, Strains, Vectors, Weighting, interpolate};
 use crate::kinematics::relative_rotation;
 use crate::shells::laminates::LocalSection;
 use crate::shells::prestrain::{StrainField, StrainedElement};
@@ -33,7 +33,7 @@ const CRUSHED: f64 = 1e-2;
 #[derive(Clone, Debug)]
 pub struct ShearElement<const V: usize, const S: usize, const C: usize> {
     coordinates: Vec<usize>,
-    tables: Arc<ShearTables<V, S>>,
+    tables: Arc<ShearTables>,
     pub(super) profile: Arc<ShearProfile<V, S>>,
 }
 
@@ -50,17 +50,10 @@ fn vectors<const V: usize>(x: &[f64]) -> Vectors<V> {
     std::array::from_fn(|i| Vector3::new(x[3 * i], x[3 * i + 1], x[3 * i + 2]))
 }
 
-/// State of an element: its strains and their gradients by the nodal vectors.
-pub(super) struct ShearState<const S: usize, const C: usize> {
+/// State of an element: its strains and the vectors of its surface.
+pub(super) struct ShearState<const S: usize> {
     strains: Strains<S>,
-    pub(super) gradients: SMatrix<f64, S, C>,
-}
-
-impl<const S: usize, const C: usize> ShearState<S, C> {
-    /// Computes the forces of stresses.
-    fn forces(&self, stress: &Strains<S>) -> SVector<f64, C> {
-        self.gradients.transpose() * stress
-    }
+    fields: Fields,
 }
 
 impl<const V: usize, const S: usize, const C: usize> ShearElement<V, S, C> {
@@ -69,7 +62,7 @@ impl<const V: usize, const S: usize, const C: usize> ShearElement<V, S, C> {
     pub(super) fn new(
         coordinates: Vec<usize>,
         reference: &Vectors<V>,
-        tables: &Arc<ShearTables<V, S>>,
+        tables: &Arc<ShearTables>,
         (medium, sections): (&super::ShearMedium, Vec<LocalSection>),
     ) -> Self {
         let profile = Arc::new(ShearProfile::new(tables, reference, medium, sections));
@@ -83,38 +76,37 @@ impl<const V: usize, const S: usize, const C: usize> ShearElement<V, S, C> {
 
     /// Computes the strains for displacements of the nodal vectors.
     pub(super) fn strains(&self, u: &Vectors<V>) -> Strains<S> {
-        let profile = &self.profile;
-        Strains::from_fn(|k, _| {
-            let moved = gradient(&self.tables.forms[k], u);
-            (0..V).map(|a| u[a].dot(&(profile.gradients[k][a] + moved[a] * 0.5))).sum()
-        })
+        self.tables.strains(&self.profile.fields, &self.tables.fields(u))
     }
 
-    pub(super) fn state(&self, q: &[f64]) -> ShearState<S, C> {
-        let u = vectors(q);
-        let (mut strains, mut gradients) = (Strains::zeros(), SMatrix::zeros());
-        for k in 0..S {
-            let moved = gradient(&self.tables.forms[k], &u);
-            for a in 0..V {
-                let rest = self.profile.gradients[k][a];
-                strains[k] += u[a].dot(&(rest + moved[a] * 0.5));
-                (0..3).for_each(|i| gradients[(k, 3 * a + i)] = rest[i] + moved[a][i]);
-            }
-        }
-        ShearState { strains, gradients }
+    pub(super) fn state(&self, q: &[f64]) -> ShearState<S> {
+        let (rest, mut fields) = (&self.profile.fields, self.tables.fields(&vectors::<V>(q)));
+        let strains = self.tables.strains(rest, &fields);
+        fields.iter_mut().zip(rest).for_each(|(field, rest)| *field += rest);
+        ShearState { strains, fields }
+    }
+
+    /// Computes the gradients of the strains by the coordinates.
+    pub(super) fn gradients(&self, state: &ShearState<S>) -> Gradients<S, C> {
+        self.tables.gradients(&state.fields)
+    }
+
+    /// Computes the rates of the strains for rates of the coordinates.
+    fn rates(&self, state: &ShearState<S>, v: &[f64]) -> Strains<S> {
+        self.tables.rates(&state.fields, &self.tables.fields(&vectors::<V>(v)))
     }
 
     /// Computes the stresses of the damping.
-    fn damping_stress(&self, state: &ShearState<S, C>, at: &Local<'_>) -> Strains<S> {
+    fn damping_stress(&self, state: &ShearState<S>, at: &Local<'_>) -> Strains<S> {
         let time = self.profile.medium.retardation;
         if time == 0.0 {
             return Strains::zeros();
         }
-        self.profile.linear_stress(&(rates(state, at.v) * time))
+        self.profile.linear_stress(&(self.rates(state, at.v) * time))
     }
 
     /// Computes the stresses of a state, with those of the damping.
-    fn damped_stress(&self, state: &ShearState<S, C>, at: &Local<'_>) -> Strains<S> {
+    fn damped_stress(&self, state: &ShearState<S>, at: &Local<'_>) -> Strains<S> {
         self.profile.stress(&state.strains) + self.damping_stress(state, at)
     }
 
@@ -131,9 +123,9 @@ impl<const V: usize, const S: usize, const C: usize> ShearElement<V, S, C> {
     }
 
     /// Adds forces of stresses, inertia, mass-proportional damping and weight.
-    fn add_forces(&self, state: &ShearState<S, C>, stress: &Strains<S>, at: &Local<'_>, r: &mut [f64]) {
+    fn add_forces(&self, state: &ShearState<S>, stress: &Strains<S>, at: &Local<'_>, r: &mut [f64]) {
         let profile = &self.profile;
-        let forces = state.forces(stress);
+        let forces: Vectors<V> = self.tables.forces(&state.fields, stress);
         let mut moved = vectors::<V>(at.a);
         let damping = profile.medium.mass_damping;
         if damping != 0.0 {
@@ -143,31 +135,22 @@ impl<const V: usize, const S: usize, const C: usize> ShearElement<V, S, C> {
         let weight = profile.medium.gravity * at.load;
         for a in 0..V {
             let own = inertia[a] - weight * profile.first[a];
-            (0..3).for_each(|i| r[3 * a + i] += forces[3 * a + i] + own[i]);
+            (0..3).for_each(|i| r[3 * a + i] += forces[a][i] + own[i]);
         }
     }
 
     /// Adds multiples of the material stiffness of the state and of the linear one, and the stiffness of stresses.
     fn add_stiffness(
         &self,
-        state: &ShearState<S, C>,
+        state: &ShearState<S>,
         material: [f64; 2],
         stress: &Strains<S>,
         k: &mut LocalMatrix<'_>,
     ) {
-        let mut geometric = [[0.0; V]; V];
-        for (form, stress) in self.tables.forms.iter().zip(stress) {
-            for a in 0..V {
-                for b in 0..=a {
-                    geometric[a][b] += stress * form[a][b];
-                }
-            }
-        }
-        self.add_blocks(&geometric, k);
+        self.add_blocks(&self.tables.geometry(stress), k);
         if material != [0.0; 2] {
-            let product = self.profile.state_stiffness(&state.strains, material) * state.gradients;
-            let matrix = state.gradients.transpose() * product;
-            k.add_lower(C, |i, j| matrix[(i, j)]);
+            let matrix = self.profile.material_stiffness(&self.gradients(state), &state.strains, material);
+            k.add_lower(C, |i, j| matrix[i][j]);
         }
     }
 
@@ -182,13 +165,7 @@ impl<const V: usize, const S: usize, const C: usize> ShearElement<V, S, C> {
         }
     }
 
-    fn add_tangent(
-        &self,
-        state: &ShearState<S, C>,
-        stress: &Strains<S>,
-        w: Weights,
-        k: &mut LocalMatrix<'_>,
-    ) {
+    fn add_tangent(&self, state: &ShearState<S>, stress: &Strains<S>, w: Weights, k: &mut LocalMatrix<'_>) {
         let medium = &self.profile.medium;
         self.add_stiffness(state, [w.q, w.v * medium.retardation], &(stress * w.q), k);
         let inertia = w.a + medium.mass_damping * w.v;
@@ -201,17 +178,12 @@ impl<const V: usize, const S: usize, const C: usize> ShearElement<V, S, C> {
     /// the work of the strain energy. A law of the membrane has a discrete derivative of its energy.
     ///
     /// Source: Simo & Tarnow (1992); Gonzalez (2000), laws of the membrane.
-    fn step_stress(&self, middle: &ShearState<S, C>, step: &LocalStep<'_>) -> Strains<S> {
+    fn step_stress(&self, middle: &ShearState<S>, step: &LocalStep<'_>) -> Strains<S> {
         let [before, after] = [&step.from, &step.to].map(|at| self.strains(&vectors(at.q)));
         let [of_before, of_after] = step.shares();
         let strains = before * of_before + after * of_after;
         self.profile.step_stress(&strains, [&before, &after]) + self.damping_stress(middle, &step.middle)
     }
-}
-
-/// Computes the rates of the strains for rates of the coordinates.
-fn rates<const S: usize, const C: usize>(state: &ShearState<S, C>, v: &[f64]) -> Strains<S> {
-    state.gradients * SMatrix::<f64, C, 1>::from_column_slice(v)
 }
 
 impl<const V: usize, const S: usize, const C: usize> Term for ShearElement<V, S, C> {
@@ -262,13 +234,13 @@ impl<const V: usize, const S: usize, const C: usize> Term for ShearElement<V, S,
         let (state, before) = (self.state(at.q), self.state(from.q));
         let change: Vec<f64> = at.q.iter().zip(from.q).map(|(now, then)| now - then).collect();
         let stress =
-            self.profile.predicted_stress((&before.strains, &rates(&before, &change)), &state.strains);
+            self.profile.predicted_stress((&before.strains, &self.rates(&before, &change)), &state.strains);
         self.add_stiffness(&state, [0.0; 2], &stress, k);
     }
 
     fn stress_stiffness(&self, at: &Local<'_>, by: &Local<'_>, k: &mut LocalMatrix<'_>) {
         let state = self.state(at.q);
-        let stress = self.profile.stress_change(&state.strains, &rates(&state, by.q));
+        let stress = self.profile.stress_change(&state.strains, &self.rates(&state, by.q));
         self.add_stiffness(&state, [0.0; 2], &stress, k);
     }
 
@@ -361,12 +333,12 @@ impl<const V: usize, const S: usize, const C: usize> StrainedElement for ShearEl
     }
 
     fn rates_of(&self, q: &[f64], v: &[f64]) -> Strains<S> {
-        rates(&self.state(q), v)
+        self.rates(&self.state(q), v)
     }
 
     fn add_forces_of(&self, q: &[f64], stress: &Strains<S>, r: &mut [f64]) {
-        let forces: SVector<f64, C> = self.state(q).forces(stress);
-        r.iter_mut().zip(&forces).for_each(|(row, force)| *row += force);
+        let forces: Vectors<V> = self.tables.forces(&self.state(q).fields, stress);
+        r.iter_mut().zip(forces.iter().flatten()).for_each(|(row, force)| *row += force);
     }
 
     fn add_rounding_of(&self, q: &[f64], stress: &Strains<S>, floor: &mut [f64]) {

@@ -1,11 +1,11 @@
 //! Prescribed strains of shear-deformable shell elements with a law of the membrane forces.
 
 use ancf_solver::equations::LocalMatrix;
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::{Matrix3, SMatrix, Vector3};
 
 use super::element::ShearElement;
-use super::forms::{SURFACE, Strains};
 use super::membrane::membrane;
+use super::strains::{SURFACE, Strains};
 use crate::shells::laminates::MembranePoints;
 use crate::shells::prestrain::LawElement;
 
@@ -32,9 +32,9 @@ impl<const V: usize, const S: usize, const C: usize> LawElement for ShearElement
         stiffness: &dyn Fn(usize) -> Matrix3<f64>,
         k: &mut LocalMatrix<'_>,
     ) {
-        let gradients = self.state(q).gradients;
+        let gradients = self.gradients(&self.state(q));
         for point in 0..self.membrane_points() {
-            let rows = gradients.fixed_rows::<3>(SURFACE * point);
+            let rows = SMatrix::<f64, 3, C>::from_fn(|i, j| gradients[SURFACE * point + i][j]);
             let matrix = rows.transpose() * (stiffness(point) * rows);
             k.add_lower(C, |i, j| matrix[(i, j)]);
         }

@@ -7,8 +7,8 @@ use smallvec::SmallVec;
 
 use super::any_element::AnyElement;
 use super::face::{Face, NODES};
-use super::forms::FACE_VECTORS;
 use super::profile::ShearMedium;
+use super::strains::FACE_VECTORS;
 use super::topology::MeshTopology;
 use crate::inertia::MassVisitor;
 use crate::kinematics::{

@@ -1,8 +1,8 @@
 use nalgebra::{DMatrix, DVector, Matrix2, Matrix3, SMatrix, Vector3};
 
 use super::face::Shape;
-use super::forms::{
-    Form, SURFACE, Strains, Vectors, Weighting, forms, gradient, interpolate, sampled_shear,
+use super::strains::{
+    Fields, SURFACE, ShearTables, Strains, Vectors, Weighting, interpolate, sampled_shear,
     shear_interpolation,
 };
 use crate::shells::laminates::{
@@ -48,27 +48,14 @@ impl ShearMedium {
     }
 }
 
-/// Forms of the strains, common to all elements of a shape.
-#[derive(Clone, Debug)]
-pub(crate) struct ShearTables<const V: usize, const S: usize> {
-    pub(crate) shape: Shape,
-    pub(crate) forms: Box<[Form<V>; S]>,
-}
-
-impl<const V: usize, const S: usize> ShearTables<V, S> {
-    pub(crate) fn new(shape: Shape) -> Self {
-        Self { shape, forms: forms(shape) }
-    }
-}
-
 /// Constant data of a shear-deformable shell element with V nodal vectors and S strains.
 #[derive(Clone, Debug)]
 pub(crate) struct ShearProfile<const V: usize, const S: usize> {
     pub(crate) shape: Shape,
     /// Nodal vectors in the reference state, positions relative to the first node.
     pub(crate) reference: Vectors<V>,
-    /// Gradients of the strains by the nodal vectors in the reference state.
-    pub(crate) gradients: Vec<Vectors<V>>,
+    /// Vectors of the surface in the reference state.
+    pub(crate) fields: Fields,
     /// Stiffness of the strains after elimination of the enhanced modes.
     pub(crate) stiffness: Box<SMatrix<f64, S, S>>,
     /// Matrix of the enhanced strains that follow from the compatible strains of the surface.
@@ -229,7 +216,7 @@ impl<const V: usize, const S: usize> ShearProfile<V, S> {
     /// Creates the data of an element with the given nodal vectors in the reference state. `sections` are those at the
     /// [`section_places`](Shape::section_places), or none.
     pub(crate) fn new(
-        tables: &ShearTables<V, S>,
+        tables: &ShearTables,
         reference: &Vectors<V>,
         medium: &ShearMedium,
         sections: Sections,
@@ -268,12 +255,12 @@ impl<const V: usize, const S: usize> ShearProfile<V, S> {
                 }
             }
         }
-        let gradients = tables.forms.iter().map(|form| gradient(form, reference)).collect();
+        let fields = tables.fields(reference);
         let enhancement = -(modes * solved);
         let points = membrane_points(shape, reference, (medium, &sections));
         let membrane = MembranePoints::new(&medium.section.surface, points);
         let (reference, medium) = (*reference, *medium);
-        Self { shape, reference, gradients, stiffness, enhancement, mass, first, medium, sections, membrane }
+        Self { shape, reference, fields, stiffness, enhancement, mass, first, medium, sections, membrane }
     }
 
     /// Returns the law at an integration point of the surface with reference tangents.
@@ -290,17 +277,16 @@ impl<const V: usize, const S: usize> ShearProfile<V, S> {
     /// Adds bounds of the rounding errors of the forces, for an element with displacements and velocities of the given magnitudes.
     pub(crate) fn add_rounding(
         &self,
-        tables: &ShearTables<V, S>,
+        tables: &ShearTables,
         [q, v]: [&Weighting<V>; 2],
         (strains, stress): (&Strains<S>, &Strains<S>),
         bound: &mut Weighting<V>,
     ) {
         let (sum, time) = (Self::SUM, self.medium.retardation);
+        let sizes: [Weighting<V>; S] = tables.gradient_sizes(&tables.sizes(&self.fields, q));
         let mut errors = [0.0; S];
-        for (k, form) in tables.forms.iter().enumerate() {
-            for a in 0..V {
-                errors[k] += sum * self.gradient_size(k, a, form, q) * (q[a] + time * v[a]);
-            }
+        for (error, sizes) in errors.iter_mut().zip(&sizes) {
+            *error = sum * (0..V).map(|a| sizes[a] * (q[a] + time * v[a])).sum::<f64>();
         }
         let mut of_stress = [0.0; S];
         for (k, error) in of_stress.iter_mut().enumerate() {
@@ -308,42 +294,33 @@ impl<const V: usize, const S: usize> ShearProfile<V, S> {
             *error =
                 row.iter().enumerate().map(|(l, c)| c.abs() * (errors[l] + sum * strains[l].abs())).sum();
         }
-        self.distribute_rounding(tables, q, (&of_stress, stress), bound);
+        Self::distribute_rounding(&sizes, (&of_stress, stress), bound);
     }
 
     /// Adds bounds of the rounding errors of the forces of constant stresses.
     pub(crate) fn add_stress_rounding(
         &self,
-        tables: &ShearTables<V, S>,
+        tables: &ShearTables,
         q: &Weighting<V>,
         stress: &Strains<S>,
         bound: &mut Weighting<V>,
     ) {
-        self.distribute_rounding(tables, q, (&[0.0; S], stress), bound);
+        let sizes = tables.gradient_sizes(&tables.sizes(&self.fields, q));
+        Self::distribute_rounding(&sizes, (&[0.0; S], stress), bound);
     }
 
-    /// Adds bounds of the rounding errors of the forces of stresses with errors.
+    /// Adds bounds of the rounding errors of the forces of stresses with errors, for bounds of the gradients of the strains.
     fn distribute_rounding(
-        &self,
-        tables: &ShearTables<V, S>,
-        q: &Weighting<V>,
+        sizes: &[Weighting<V>; S],
         (errors, stress): (&[f64; S], &Strains<S>),
         bound: &mut Weighting<V>,
     ) {
-        for (k, form) in tables.forms.iter().enumerate() {
+        for (k, sizes) in sizes.iter().enumerate() {
             let error = errors[k] + Self::SUM * stress[k].abs();
-            for a in 0..V {
-                bound[a] += error * self.gradient_size(k, a, form, q);
-            }
+            (0..V).for_each(|a| bound[a] += error * sizes[a]);
         }
     }
 
     /// Roundings in a sum of V products, relative to the sum of their magnitudes.
     const SUM: f64 = 0.5 * V as f64 * f64::EPSILON;
-
-    /// Bound of the gradient of a strain by a nodal vector, for displacements of the given magnitudes.
-    fn gradient_size(&self, strain: usize, a: usize, form: &Form<V>, q: &Weighting<V>) -> f64 {
-        let moved: f64 = form[a].iter().zip(q).map(|(w, q)| w.abs() * q).sum();
-        self.gradients[strain][a].norm() + moved
-    }
 }

@@ -4,8 +4,8 @@ use ancf_solver::equations::State;
 use nalgebra::Vector3;
 
 use super::face::{NODES, Shape};
-use super::forms::SURFACE;
 use super::mesh::{ShearShellMesh, SurfacePlace};
+use super::strains::SURFACE;
 use crate::shells::laminates::to_orthonormal;
 use crate::shells::prestrain::Factors;
 use crate::shells::surface_stress::{SurfaceStress, direction};

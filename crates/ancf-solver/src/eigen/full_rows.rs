@@ -66,9 +66,14 @@ impl FullRows {
 
     /// Returns |x|ᵀ |A| |x|. ε times this bounds the rounding error of xᵀ A x.
     pub(super) fn magnitude(&self, x: &[f64]) -> f64 {
+        self.magnitudes(x).iter().zip(x).map(|(sum, x)| sum * x.abs()).sum()
+    }
+
+    /// Returns |A| |x|.
+    pub(super) fn magnitudes(&self, x: &[f64]) -> Vec<f64> {
         let mut sums = vec![0.0; x.len()];
         self.sum_rows(&mut sums, |j, value| (value * x[j]).abs());
-        sums.iter().zip(x).map(|(sum, x)| sum * x.abs()).sum()
+        sums
     }
 
     fn sum_rows(&self, sums: &mut [f64], of: impl Fn(usize, f64) -> f64) {

@@ -63,6 +63,8 @@ struct SharedMultipliers {
     /// Right-hand side and solution of K, by position.
     b: Vec<f64>,
     x: Vec<f64>,
+    /// True in statics of rigid bodies, where no energy measures the gaps of constraints.
+    is_rigid: bool,
 }
 
 impl fmt::Debug for Factor {
@@ -106,7 +108,7 @@ impl Factor {
             lu: None,
             shared: (!pattern.shared().is_empty()).then(|| {
                 let compliant = SparseMatrix::zero(Arc::clone(pattern));
-                Box::new(SharedMultipliers { compliant, b: zeros.clone(), x: zeros.clone() })
+                Box::new(SharedMultipliers { compliant, b: zeros.clone(), x: zeros.clone(), is_rigid: false })
             }),
             verified: false,
             rounding: 0.0,
@@ -124,7 +126,7 @@ impl Factor {
     pub fn factorise(&mut self, k: &SparseMatrix) -> Result<(), SingularMatrix> {
         self.rounding = equilibrate(k, &mut self.d, [&mut self.r, &mut self.x]);
         let Some(mut shared) = self.shared.take() else { return self.factorise_plain(k) };
-        match_scales(k, self.rounding, &mut self.d, [&mut self.r, &mut self.x]);
+        shared.is_rigid = match_scales(k, self.rounding, &mut self.d, [&mut self.r, &mut self.x]);
         let values = shared.compliant.values_mut();
         values.copy_from_slice(k.values());
         for &at in self.pattern.shared() {
@@ -198,6 +200,21 @@ impl Factor {
         lambda: &[f64],
     ) -> Result<(), SingularMatrix> {
         self.solve_from(k, x, Some(lambda)).map(|_| ())
+    }
+
+    /// Raises bounds of the gaps in statics of rigid bodies to the rounding error of the compliance of shared multipliers λ:
+    /// ε c max |λ_k|/D_k / D_i with the compliance c/D² on the diagonal. Increments close gaps up to this error.
+    pub(crate) fn raise_to_compliance(&self, lambda: &[f64], bounds: &mut [f64]) {
+        if !self.shared.as_ref().is_some_and(|shared| shared.is_rigid) {
+            return;
+        }
+        let coordinates = self.b.len() - lambda.len();
+        let size = |at: usize| lambda[self.pattern.unknown(at) - coordinates].abs() / self.d[at];
+        let largest = self.pattern.shared().iter().map(|&at| size(at)).fold(0.0, f64::max);
+        for (i, bound) in bounds.iter_mut().enumerate() {
+            let d = self.d[self.pattern.position(coordinates + i)];
+            *bound = bound.max(f64::EPSILON * COMPLIANCE * largest / d);
+        }
     }
 
     /// Returns xᵀ K x.
@@ -286,6 +303,7 @@ impl Factor {
         for &at in self.pattern.shared().iter().filter(|_| !lambda.is_empty()) {
             self.b[at] += COMPLIANCE / self.d[at].powi(2) * lambda[self.pattern.unknown(at) - coordinates];
         }
+        let least = if shared.is_rigid { f64::EPSILON } else { REFINE };
         let mut steps = 0;
         loop {
             self.solve_plain(&shared.compliant)?;
@@ -294,7 +312,7 @@ impl Factor {
             self.b.copy_from_slice(&shared.b);
             let error = self.backward_error(k);
             steps += 1;
-            if error <= REFINE || steps > STEPS {
+            if error <= least || steps > STEPS {
                 return Ok(error);
             }
             self.b.copy_from_slice(&self.r);

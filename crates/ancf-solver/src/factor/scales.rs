@@ -40,12 +40,22 @@ pub(super) fn equilibrate(k: &SparseMatrix, d: &mut [f64], [largest, bound]: [&m
 ///
 /// The stiffness of a rigid body in statics is zero, a rounding error, or that of small constraint forces. Its constraints would have
 /// this scale, and a compliance relative to it would make them soft.
+///
+/// If no coordinate has a stiffness but for that of constraint forces and springs of joints, as in statics of rigid bodies, all have one
+/// scale: that of the largest stiffness. Scales of chains of constraints would have those of rounding errors of their entries. Returns
+/// true in this case.
 pub(super) fn match_scales(
     k: &SparseMatrix,
     rounding: f64,
     d: &mut [f64],
     [largest, bound]: [&mut [f64]; 2],
-) {
+) -> bool {
+    if !k.has_inertia() && has_rigid_bodies_only(k) {
+        let stiffness = k.diagonal().map(f64::abs).fold(1.0, f64::max);
+        d.fill(1.0 / stiffness.sqrt());
+        scale_multipliers(k, d, largest);
+        return true;
+    }
     let constrained = || k.pattern().constrained();
     let is_zero = |at: usize| k.values()[k.pattern().diagonal(at)].abs() <= rounding;
     constrained().filter(|&at| is_zero(at)).for_each(|at| d[at] = 0.0);
@@ -54,7 +64,7 @@ pub(super) fn match_scales(
     }
     let mut open = d.contains(&0.0);
     if !open {
-        return;
+        return false;
     }
     // The multipliers get their scales at the end.
     k.pattern().border().iter().for_each(|border| d[border.multiplier as usize] = 1.0);
@@ -70,6 +80,16 @@ pub(super) fn match_scales(
     // Coordinates without any stiffness in their chain of constraints.
     d.iter_mut().filter(|d| **d == 0.0).for_each(|d| *d = 1.0);
     scale_multipliers(k, d, largest);
+    false
+}
+
+/// True if all coordinates with mass are those of bodies without stiffness.
+fn has_rigid_bodies_only(k: &SparseMatrix) -> bool {
+    let pattern = k.pattern();
+    let mut others = vec![true; pattern.size()];
+    pattern.without_stiffness().iter().chain(pattern.massless()).for_each(|&at| others[at] = false);
+    pattern.border().iter().for_each(|border| others[border.multiplier as usize] = false);
+    !others.contains(&true)
 }
 
 /// Entry of a constraint, relative to its largest one, that may be a rounding error and gives no scale.

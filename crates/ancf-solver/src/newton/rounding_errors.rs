@@ -27,7 +27,9 @@ impl Iterate<'_> {
     /// Computes the bounds of the evaluation and of the linear solution.
     fn bound(&mut self) {
         self.eom.rounding(self.s, self.floor);
-        raise_to_achievable(&self.tangent.matrix, self.s, self.z, self.weights, self.floor);
+        let NewtonTangent { matrix, factor, .. } = &*self.tangent;
+        raise_to_achievable(matrix, self.s, self.z, self.weights, self.floor);
+        factor.raise_to_compliance(&self.s.lambda, &mut self.floor[self.s.q.len()..]);
     }
 
     /// Returns true if the gaps of the constraints after the last increment are near their rounding errors.

@@ -56,6 +56,8 @@ const EQUAL: f64 = 1e-6;
 const CLEARANCE: f64 = 1e-3;
 /// Eigenvalues below this part of the shift are zero: the double eigenvalue of a rigid-body motion has an error of the root of ε.
 const ZERO: f64 = 1e-6;
+/// The same without double eigenvalues.
+const SIMPLE_ZERO: f64 = 1e-10;
 /// Number of start vectors in addition to those of the undamped modes.
 const GUARD: usize = 4;
 /// Largest number of Krylov vectors in multiples of the first one, and the factor of the enlargements.
@@ -90,15 +92,24 @@ pub fn damped_modes(
     let frequencies = undamped.iter().map(|mode| mode.omega_squared.abs().sqrt()).filter(|w| *w > 0.0);
     let lowest = frequencies.fold(f64::INFINITY, f64::min);
     let shift = if lowest.is_finite() { SHIFT * lowest } else { rate_without_stiffness(eom, &matrix, s) };
-    let mut op = QuadraticOperator::new(eom, matrix, s, shift, interrupt)?;
+    let mut op = QuadraticOperator::new(eom, matrix, s, (shift, &undamped), interrupt)?;
+    // With symmetric matrices and all rigid motions at hand no double eigenvalue remains.
+    let has_all = undamped.len() == degrees || undamped.iter().any(|mode| mode.omega_squared != 0.0);
+    let is_simple = has_all && op.is_symmetric();
+    let shift = Shift { at: shift, zero: if is_simple { SIMPLE_ZERO } else { ZERO } * shift };
+    let rigid: Vec<DampedMode> = op.rigid().free().map(|x| rigid_mode(&op, x)).collect();
+    let (count, degrees) = (count.saturating_sub(rigid.len()), degrees.saturating_sub(rigid.len()));
+    if count == 0 || degrees == 0 {
+        return Ok(DampedModes { modes: rigid, is_complete: true });
+    }
     let mut random = PseudoRandom(47);
     let mut space = ArnoldiSpace::new(PairTolerance {
         real: NEGLIGIBLE,
         equal: EQUAL,
         // λ = 0: θ = −1/σ.
-        defective: Some([-shift.recip(), ZERO]),
+        defective: (!is_simple).then(|| [-shift.at.recip(), ZERO]),
     });
-    let starts: Vec<DVector<f64>> = undamped.iter().map(|mode| op.double(&mode.shape)).collect();
+    let starts: Vec<DVector<f64>> = undamped.iter().filter_map(|mode| op.double(&mode.shape)).collect();
     for start in starts {
         space.insert(&op, start);
     }
@@ -117,8 +128,9 @@ pub fn damped_modes(
         let is_blocked = pairs.iter().any(|pair| !pair.is_defective && !is_converged(pair));
         let is_complete = known.len() >= count || is_whole && !is_blocked;
         let is_last = is_whole || all && is_blocked || depth >= DEPTH[0] * first;
-        if is_complete || is_last && !known.is_empty() {
-            let modes = known.iter().take(count).map(|pair| mode(&op, &space, pair, shift)).collect();
+        if is_complete || is_last && !(known.is_empty() && rigid.is_empty()) {
+            let others = known.iter().take(count).map(|pair| mode(&op, &space, pair, shift));
+            let modes = rigid.into_iter().chain(others).collect();
             return Ok(DampedModes { modes, is_complete });
         }
         if is_last {
@@ -136,11 +148,18 @@ fn rate_without_stiffness(eom: &dyn EquationsOfMotion, matrix: &SparseMatrix, s:
     if rate > 0.0 { SHIFT * rate } else { 1.0 }
 }
 
-fn eigenvalue(pair: &ComplexPair, shift: f64) -> Complex<f64> {
-    let value = pair.value.inv() + shift;
+/// Shift σ, and the size of an eigenvalue that counts as zero.
+#[derive(Clone, Copy, Debug)]
+struct Shift {
+    at: f64,
+    zero: f64,
+}
+
+fn eigenvalue(pair: &ComplexPair, shift: Shift) -> Complex<f64> {
+    let value = pair.value.inv() + shift.at;
     let size = value.norm();
     let rounded = |part: f64| if part.abs() <= NEGLIGIBLE * size { 0.0 } else { part };
-    if size <= ZERO * shift {
+    if size <= shift.zero {
         Complex::new(0.0, 0.0)
     } else {
         Complex::new(rounded(value.re), rounded(value.im))
@@ -155,7 +174,7 @@ fn is_converged(pair: &ComplexPair) -> bool {
 /// Returns the converged pairs with Im λ ≥ 0 up to the largest |λ| below which all are known, by ascending |λ|.
 ///
 /// A rigid-body motion without damping has a double eigenvalue 0 with one vector. The second pair is left out.
-fn complete(pairs: &[ComplexPair], shift: f64, [all, is_whole]: [bool; 2]) -> Vec<&ComplexPair> {
+fn complete(pairs: &[ComplexPair], shift: Shift, [all, is_whole]: [bool; 2]) -> Vec<&ComplexPair> {
     let has_zero = pairs.iter().any(|pair| pair.is_defective && is_converged(pair));
     let candidates = || pairs.iter().filter(|pair| !(has_zero && pair.is_defective && !is_converged(pair)));
     let distance = |pair: &ComplexPair| pair.value.norm().recip();
@@ -170,7 +189,7 @@ fn complete(pairs: &[ComplexPair], shift: f64, [all, is_whole]: [bool; 2]) -> Ve
     let size = |pair: &ComplexPair| eigenvalue(pair, shift).norm();
     let mut known: Vec<&ComplexPair> = known()
         .filter(|pair| {
-            eigenvalue(pair, shift).im >= 0.0 && size(pair) <= (radius - shift) * (1.0 + NEGLIGIBLE)
+            eigenvalue(pair, shift).im >= 0.0 && size(pair) <= (radius - shift.at) * (1.0 + NEGLIGIBLE)
         })
         .collect();
     known.sort_by(|a, b| size(a).total_cmp(&size(b)));
@@ -178,7 +197,7 @@ fn complete(pairs: &[ComplexPair], shift: f64, [all, is_whole]: [bool; 2]) -> Ve
 }
 
 /// Returns the mode of a pair, with the phase of [`DampedMode::shape`].
-fn mode(op: &QuadraticOperator<'_>, space: &ArnoldiSpace, pair: &ComplexPair, shift: f64) -> DampedMode {
+fn mode(op: &QuadraticOperator<'_>, space: &ArnoldiSpace, pair: &ComplexPair, shift: Shift) -> DampedMode {
     let n = op.coordinates();
     let [real, imaginary] = space.vector(pair).map(|part| part.rows(0, n).into_owned());
     let (sin, cos) = phase(op, &real, &imaginary).sin_cos();
@@ -190,6 +209,18 @@ fn mode(op: &QuadraticOperator<'_>, space: &ArnoldiSpace, pair: &ComplexPair, sh
         eigenvalue: eigenvalue(pair, shift),
         shape: [x.as_slice().to_vec(), y.as_slice().to_vec()],
         residual: pair.residual,
+    }
+}
+
+/// Returns the mode of a rigid motion without stiffness and damping.
+fn rigid_mode(op: &QuadraticOperator<'_>, shape: &DVector<f64>) -> DampedMode {
+    let x = shape.rows(0, op.coordinates()).into_owned();
+    let factor = x[first_of_largest(x.iter().map(|x| x.abs()))].signum() / op.size(&x);
+    let zeros = vec![0.0; x.len()];
+    DampedMode {
+        eigenvalue: Complex::new(0.0, 0.0),
+        shape: [(x * factor).as_slice().to_vec(), zeros],
+        residual: op.rigid().residual(),
     }
 }
 

@@ -5,6 +5,7 @@ mod damped;
 mod mass_ratios;
 mod nonconservative;
 mod quadratic_operator;
+mod rigid_motions;
 mod skew_operator;
 mod skew_ratio;
 

@@ -1,7 +1,9 @@
 use nalgebra::DVector;
 
 use super::arnoldi::ArnoldiOperator;
+use super::rigid_motions::RigidMotions;
 use crate::eigen::full_rows::FullRows;
+use crate::eigen::modes::Mode;
 use crate::eigen::operator::EigenError;
 use crate::equations::{EquationsOfMotion, State, Weights};
 use crate::factor::GeneralLu;
@@ -18,7 +20,8 @@ type SkewEntries = Vec<(usize, usize, f64)>;
 /// P x′ = −σ M w − (C + σM) x,  w′ = x′ + x/σ,  P = σ²M + σC + K,
 ///
 /// with the constraints. One step of iterative refinement has the products K x′ term by term, so that the stiffness of single
-/// elements leaves no rounding error in the modes of the structure. The inner product is xᵀ M y + wᵀ M u.
+/// elements leaves no rounding error in the modes of the structure. The inner product is xᵀ M y + wᵀ M u. Vectors are orthogonal to
+/// the [rigid motions](RigidMotions) without damping, whose λ is zero.
 ///
 /// Source: Tisseur & Meerbergen (2001), section 5.
 pub(super) struct QuadraticOperator<'a> {
@@ -31,6 +34,7 @@ pub(super) struct QuadraticOperator<'a> {
     skew_stiffness: SkewEntries,
     constraints: Vec<(usize, usize, f64)>,
     lu: GeneralLu,
+    rigid: RigidMotions,
     interrupt: &'a Interrupt,
 }
 
@@ -39,7 +43,7 @@ impl<'a> QuadraticOperator<'a> {
         eom: &'a dyn EquationsOfMotion,
         mut matrix: SparseMatrix,
         s: &'a State,
-        shift: f64,
+        (shift, undamped): (f64, &[Mode]),
         interrupt: &'a Interrupt,
     ) -> Result<Self, EigenError> {
         let mut of = |q: f64, v: f64, a: f64| {
@@ -53,7 +57,31 @@ impl<'a> QuadraticOperator<'a> {
         let skew: SkewEntries = of_damping.chain(skew_stiffness.iter().copied()).collect();
         let lu = GeneralLu::new(&matrix, &skew, eom.coordinates()).ok_or(EigenError::Singular)?;
         let constraints = matrix.constraints().collect();
-        Ok(Self { eom, s, shift, mass, damping, skew_damping, skew_stiffness, constraints, lu, interrupt })
+        let rigid =
+            if skew.is_empty() { RigidMotions::new(undamped, &mass, &damping) } else { RigidMotions::NONE };
+        Ok(Self {
+            eom,
+            s,
+            shift,
+            mass,
+            damping,
+            skew_damping,
+            skew_stiffness,
+            constraints,
+            lu,
+            rigid,
+            interrupt,
+        })
+    }
+
+    /// True without gyroscopic forces and loads without a potential.
+    pub(super) fn is_symmetric(&self) -> bool {
+        self.skew_damping.is_empty() && self.skew_stiffness.is_empty()
+    }
+
+    /// Returns the rigid-body motions.
+    pub(super) fn rigid(&self) -> &RigidMotions {
+        &self.rigid
     }
 
     pub(super) fn coordinates(&self) -> usize {
@@ -94,8 +122,11 @@ impl<'a> QuadraticOperator<'a> {
 
     /// Computes P x, and Φ_q x in the rows of the multipliers.
     fn left_times(&self, x: &DVector<f64>) -> DVector<f64> {
-        let mut columns = self.eom.stiffness_products(self.s, std::slice::from_ref(x)).products;
+        let mut strained = x.clone();
+        self.rigid.remove_from(&mut strained);
+        let mut columns = self.eom.stiffness_products(self.s, std::slice::from_ref(&strained)).products;
         let mut product = columns.swap_remove(0);
+        self.rigid.remove_from_force(&mut product);
         add_skew(&self.skew_stiffness, x, &mut product);
         product += self.damping_times(x) * self.shift + self.mass_times(x) * self.shift.powi(2);
         self.constraints.iter().for_each(|&(row, c, value)| product[row] += value * x[c]);
@@ -116,12 +147,17 @@ impl<'a> QuadraticOperator<'a> {
         self.constraints.iter().for_each(|&(row, c, value)| rest[c] -= value * whole[row]);
         self.lu.solve(rest.as_mut_slice());
         x.rows_mut(0, n).zip_apply(&rest.rows(0, n), |x, change| *x += change);
+        self.rigid.remove_free(&mut x);
         if x.iter().all(|x| x.is_finite()) { Ok(x) } else { Err(EigenError::Singular) }
     }
 
-    /// Returns a vector (x, x) of a shape.
-    pub(super) fn double(&self, shape: &[f64]) -> DVector<f64> {
-        DVector::from_iterator(2 * shape.len(), shape.iter().chain(shape).copied())
+    /// Returns a vector (x, x) of a shape without rigid motions; `None` for a rigid motion.
+    pub(super) fn double(&self, shape: &[f64]) -> Option<DVector<f64>> {
+        let mut x = DVector::zeros(self.mass.diagonal().len());
+        x.rows_mut(0, shape.len()).copy_from_slice(shape);
+        let before = self.mass.square(x.as_slice());
+        self.rigid.remove_free(&mut x);
+        (self.mass.square(x.as_slice()) > 0.25 * before).then(|| self.joined([&x, &x]))
     }
 
     /// Returns P⁻¹ applied to a force, for x and w.

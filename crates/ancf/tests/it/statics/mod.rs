@@ -4,6 +4,7 @@ mod drives;
 mod load_increments;
 mod loads_on_joints;
 mod paths;
+mod rigid_bodies;
 mod rigid_ends;
 mod rotations;
 mod slender;

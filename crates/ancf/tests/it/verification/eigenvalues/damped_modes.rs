@@ -258,3 +258,49 @@ fn free_motions_have_zero_eigenvalues() {
     assert!(growth.iter().any(|x| (x + 2.0).abs() < 1e-6), "{growth:?}");
     assert!(frequency.iter().any(|x| (x * TAU - 10.0).abs() < 1e-6), "{frequency:?}");
 }
+
+/// Bodies without a support, in any direction: six zero eigenvalues and the frequencies of the undamped analysis. A damper between a
+/// node and the ground leaves five, and mass-proportional damping none.
+#[test]
+fn free_bodies_have_six_zero_eigenvalues() {
+    let beam = "materials.s = { density = 7850, young = 2.1e11, poisson = 0.3MORE }\nsections.w = { kind = \"circle\", diameter = 0.01 }\n\
+                bodies = [{ kind = \"beam\", name = \"p\", from = [1.0, 2.0, -3.0], to = [0.5056304, 1.3078796, -3.5256946], \
+                elements = 5, section = \"w\", material = \"s\" }]\n";
+    let shell = "materials.s = { density = 7850, young = 2.1e11, poisson = 0.3MORE }\n\
+                 bodies = [{ kind = \"shell\", name = \"p\", surface = { kind = \"flat\", corner = [0, 0, 0], side_u = [0.2, 0.2, 0.1], \
+                 side_v = [0.1, -0.1, 0] }, elements = [4, 3], thickness = 0.01, material = \"s\" }]\n";
+    for (body, end) in [(beam, "\"end\""), (shell, "[1, 1]")] {
+        let modes = |more: &str, joint: &str, damped: bool| {
+            let body = body.replace("MORE", more);
+            Run::of(&parse(&format!(
+                "{body}{joint}[analysis]\nkind = \"modes\"\ncount = 9\ndamped = {damped}\n"
+            )))
+        };
+        let undamped = modes("", "", false).column("frequency").to_vec();
+        let free = modes("", "", true);
+        assert_eq!(free.column("growth_rate"), [0.0; 9]);
+        for (k, (found, expected)) in free.column("frequency").iter().zip(&undamped).enumerate() {
+            let is_rigid = k < 6;
+            assert!(
+                if is_rigid { *found == 0.0 } else { (found / expected - 1.0).abs() < 1e-6 },
+                "{k}: {found}"
+            );
+        }
+        let damper = format!(
+            "[[joints]]\nkind = \"spring\"\nname = \"d\"\na = {{ body = \"p\", at = {end} }}\nb = {{ point = [3, 4, 5] }}\nstiffness = 0\n\
+             damping = 1e-3\n"
+        );
+        let held = modes("", &damper, true);
+        let is_zero = |k: usize| held.column("frequency")[k] == 0.0 && held.column("growth_rate")[k] == 0.0;
+        // Five motions without damping, and the double one that becomes λ = 0 and a decay.
+        assert_eq!((0..9).filter(|k| is_zero(*k)).count(), 6, "{:?}", held.column("growth_rate"));
+        let decays =
+            |k: &usize| held.column("frequency")[*k] == 0.0 && held.column("growth_rate")[*k] < -1e-6;
+        assert_eq!((0..9).filter(decays).count(), 1, "{:?}", held.column("growth_rate"));
+        let slowed = modes(", damping = { mass = 0.5 }", "", true);
+        // λ = 0 and λ = −α of six motions.
+        let rates = slowed.column("growth_rate");
+        assert_eq!(rates.iter().filter(|x| **x == 0.0).count(), 6, "{rates:?}");
+        assert!(rates[6..].iter().all(|x| (x + 0.5).abs() < 1e-6), "{rates:?}");
+    }
+}

@@ -71,6 +71,7 @@ impl<'a> Pencil<'a> {
     fn factorise_at(&mut self, shift: f64) -> Result<(), EigenError> {
         self.eom.tangent(self.s, Weights { q: 1.0, v: 0.0, a: -shift }, &mut self.shifted);
         self.shifted.scale(&self.scales);
+        // Next to ω² = 0 the inertia gives no scale to rigid bodies.
         self.shifted.set_inertia(false);
         Ok(self.factor.factorise(&self.shifted)?)
     }

@@ -202,6 +202,16 @@ impl SolvedModel {
         self.column(name)?.last().copied().ok_or_else(|| VerificationError::Missing(format!("row in {name}")))
     }
 
+    /// Returns the value of a column at an instant of a row.
+    ///
+    /// # Errors
+    /// If there is no column of this name, or no row at this instant.
+    pub(crate) fn at(&self, name: &str, time: f64) -> Result<f64, VerificationError> {
+        let row = self.column("t")?.iter().position(|t| (t - time).abs() < 1e-6);
+        let row = row.ok_or_else(|| VerificationError::Missing(format!("row at t = {time}")))?;
+        Ok(self.column(name)?[row])
+    }
+
     /// Returns two columns as points.
     ///
     /// # Errors

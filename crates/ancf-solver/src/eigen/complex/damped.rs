@@ -202,7 +202,7 @@ fn mode(op: &QuadraticOperator<'_>, space: &ArnoldiSpace, pair: &ComplexPair, sh
     let [real, imaginary] = space.vector(pair).map(|part| part.rows(0, n).into_owned());
     let (sin, cos) = phase(op, &real, &imaginary).sin_cos();
     let (mut x, mut y) = (&real * cos - &imaginary * sin, &real * sin + &imaginary * cos);
-    let factor = x[first_of_largest(x.iter().map(|x| x.abs()))].signum() / op.size(&x);
+    let factor = normalisation(op, &x);
     x *= factor;
     y *= factor;
     DampedMode {
@@ -215,13 +215,18 @@ fn mode(op: &QuadraticOperator<'_>, space: &ArnoldiSpace, pair: &ComplexPair, sh
 /// Returns the mode of a rigid motion without stiffness and damping.
 fn rigid_mode(op: &QuadraticOperator<'_>, shape: &DVector<f64>) -> DampedMode {
     let x = shape.rows(0, op.coordinates()).into_owned();
-    let factor = x[first_of_largest(x.iter().map(|x| x.abs()))].signum() / op.size(&x);
+    let factor = normalisation(op, &x);
     let zeros = vec![0.0; x.len()];
     DampedMode {
         eigenvalue: Complex::new(0.0, 0.0),
         shape: [(x * factor).as_slice().to_vec(), zeros],
         residual: op.rigid().residual(),
     }
+}
+
+/// Returns the factor of a shape to xᵀ M x = 1 with its largest coordinate positive.
+fn normalisation(op: &QuadraticOperator<'_>, x: &DVector<f64>) -> f64 {
+    x[first_of_largest(x.iter().map(|x| x.abs()))].signum() / op.size(x)
 }
 
 /// Returns the phase φ at which Re(x e^{iφ}) is largest, or at which the largest coordinate is real if all are equally large.

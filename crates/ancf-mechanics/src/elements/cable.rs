@@ -6,7 +6,7 @@ use ancf_solver::equations::{
 use nalgebra::{Matrix3, Vector3};
 
 use super::beam::add_blocks;
-use super::cable_products::CableColumn;
+use super::cable_products::{AxialProduct, BendProduct, CableColumn};
 use super::cable_profile::{CableDamping, CableProfile, CableStation};
 use super::cable_rounding::{axial_rounding, bending_rounding};
 use super::cable_step::{CableStep, vectors};
@@ -162,10 +162,12 @@ impl Term for Cable12 {
         let mut columns: Vec<_> = columns.iter_mut().map(CableColumn::new).collect();
         for station in self.profile.axial() {
             let h = self.axial_stiffness(station, &q, &v, Weights::STIFFNESS) * station.weight;
+            let h = AxialProduct::new(h);
             columns.iter_mut().for_each(|column| column.add_axial(station, &h));
         }
         for station in self.profile.bending() {
             let h = self.bending_stiffness(station, &q, &v, Weights::STIFFNESS).scaled(station.weight);
+            let h = BendProduct::new(h);
             columns.iter_mut().for_each(|column| column.add_bending(station, &h));
         }
         columns.into_iter().for_each(CableColumn::finish);

@@ -41,6 +41,13 @@ impl Ritz {
         self.order.len()
     }
 
+    /// Number of the first pairs with ω² = σ + 1/θ within a distance of the lowest.
+    pub(super) fn within(&self, shift: f64, distance: f64) -> usize {
+        let squared = |k: &usize| shift + self.values[*k].recip();
+        let lowest = self.order.first().map_or(0.0, squared);
+        self.order.iter().take_while(|k| self.values[**k] > 0.0 && squared(k) <= lowest + distance).count()
+    }
+
     /// Coefficients of pairs, the best of which is the first.
     fn weights(&self, range: Range<usize>) -> DMatrix<f64> {
         let first = range.start;

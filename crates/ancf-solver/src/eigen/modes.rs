@@ -3,7 +3,7 @@ use std::f64::consts::TAU;
 use super::krylov::{EigenSearch, KrylovSpace, Ritz};
 use super::operator::EigenError;
 use super::pencil::Pencil;
-use super::refinement::Refinement;
+use super::refinement::{Accuracy, Refinement};
 use crate::equations::{EquationsOfMotion, State};
 use crate::newton::Interrupt;
 use crate::sparse::SparseMatrix;
@@ -61,8 +61,11 @@ const TOLERANCE: f64 = 1e-8;
 const TOLERANCE_OF_ERROR: f64 = 1e-3;
 /// Number of vectors of a block, and of those that are added after a missed mode.
 const BLOCK: usize = 4;
-/// Number of vectors of a space before a restart: a multiple of the number of requested modes, and a constant.
-const CAPACITY: (usize, usize) = (3, 30);
+/// Number of vectors of a space before a restart: a multiple of the number of requested modes, and a constant, the smaller one of
+/// which is always admissible.
+const CAPACITY: (usize, [usize; 2]) = (3, [30, 300]);
+/// Number of entries of a space above which the smaller constant counts, 1 GiB.
+const MAX_ENTRIES: usize = 1 << 27;
 /// Number of vectors for the estimate of the spectrum: more than the six rigid modes of a free body.
 const ROUGH: usize = 8;
 /// Number of vectors for the estimate of the rounding error of the factors.
@@ -182,7 +185,9 @@ impl ShiftedSearch {
         pass: usize,
     ) -> Result<(Self, Option<f64>), EigenError> {
         let shift = pencil.factorise(shift)?;
-        let capacity = CAPACITY.0 * count + CAPACITY.1;
+        let (multiple, [least, most]) = CAPACITY;
+        let storage = MAX_ENTRIES / pencil.unknowns();
+        let capacity = multiple * count + least.max(most.min(storage.saturating_sub(multiple * count)));
         let search = EigenSearch { count, key: |theta| theta, least: 0.0, tolerance: TOLERANCE, capacity };
         let mut op = pencil.operator();
         let start = op.start(BLOCK, pass as u64)?;
@@ -251,7 +256,8 @@ impl ShiftedSearch {
 
     /// Computes the modes of converged pairs.
     fn finish(&self, pencil: &mut Pencil<'_>, found: &Ritz) -> Result<EigenModes, EigenError> {
-        let refined = Refinement::new(pencil, (&self.space, found), self.count, self.shift)?;
+        let accuracy = Accuracy { shift: self.shift, error: self.error };
+        let refined = Refinement::new(pencil, (&self.space, found), self.count, accuracy)?;
         let n = pencil.coordinates();
         let mode = |k: usize| {
             let x = &refined.vectors[k];

@@ -99,6 +99,11 @@ impl<'a> Pencil<'a> {
         images
     }
 
+    /// Number of coordinates and multipliers.
+    pub(super) fn unknowns(&self) -> usize {
+        self.mass.diagonal().len()
+    }
+
     /// Number of coordinates.
     pub(super) fn coordinates(&self) -> usize {
         self.eom.coordinates()

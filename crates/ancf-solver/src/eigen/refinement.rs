@@ -15,6 +15,8 @@ pub(super) const PROGRESS: f64 = 0.9;
 /// Residual up to which the corrections alone reduce the components of other modes.
 const SMALL: f64 = 1e-6;
 
+/// Multiple of the error of the factors up to which ω² of the vectors belong to the Rayleigh-Ritz method.
+const MIXED: f64 = 1000.0;
 /// Multiple of the energy zᵀ (K − σM) z of the correction z of a mode up to which its ω² is zero. The error of x = x₀ + z
 /// adds zᵀ K z to ω² = 0.
 const ENERGIES: f64 = 4.0;
@@ -31,6 +33,15 @@ pub(super) struct Refinement {
     /// least √(zᵀ (K − σM) z/|σ|).
     pub(super) residuals: Vec<f64>,
     corrections: Vec<DVector<f64>>,
+    /// Products of K with the vectors and with their corrections.
+    products: [Vec<DVector<f64>>; 2],
+}
+
+/// Shift with the rounding error of its factors as an error of ω².
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Accuracy {
+    pub(super) shift: f64,
+    pub(super) error: f64,
 }
 
 impl Refinement {
@@ -38,22 +49,26 @@ impl Refinement {
     /// Rayleigh-Ritz method, until the residuals are small or no longer decrease.
     ///
     /// The factors contain the rounding error of the assembled matrix, the residuals do not. The Ritz vectors of the modes contain
-    /// those of other modes by this error. Unless it is small, the Rayleigh-Ritz method therefore also has the other vectors of the space.
+    /// those of other modes by this error. Unless it is small, the Rayleigh-Ritz method therefore also has other vectors of the space:
+    /// those of ω² within a multiple of this error, and at least as many as there are modes. The corrections reduce the components of
+    /// the rest.
     pub(super) fn new(
         pencil: &mut Pencil<'_>,
         (space, ritz): (&KrylovSpace, &Ritz),
         count: usize,
-        shift: f64,
+        Accuracy { shift, error }: Accuracy,
     ) -> Result<Self, EigenError> {
         let mut best = Self::first(pencil, space.vectors(ritz, count), shift)?;
-        let known = if best.largest() > SMALL { ritz.count() } else { count };
+        let known = match best.largest() > SMALL {
+            true => ritz.within(shift, MIXED * error).max(2 * count).min(ritz.count()),
+            false => count,
+        };
         let others = OtherVectors::new(pencil, space.ritz_vectors(ritz, count..known));
         for _ in 0..CORRECTIONS {
             if best.largest() <= ACCURATE {
                 break;
             }
-            let corrected: Vec<_> = best.vectors.iter().zip(&best.corrections).map(|(x, z)| x - z).collect();
-            let Some(vectors) = others.ritz(pencil, &corrected) else { break };
+            let Some(vectors) = others.ritz(pencil, &best.corrected()) else { break };
             let next = Self::measure(pencil, vectors, &[], shift)?;
             let progress = next.largest() <= PROGRESS * best.largest();
             if next.largest() < best.largest() {
@@ -79,6 +94,14 @@ impl Refinement {
         Self::measure(pencil, images, &reactions, shift)
     }
 
+    /// Returns the corrected vectors x − z and K (x − z).
+    fn corrected(&self) -> [Vec<DVector<f64>>; 2] {
+        let difference =
+            |x: &[DVector<f64>], z: &[DVector<f64>]| x.iter().zip(z).map(|(x, z)| x - z).collect();
+        let [of_vectors, of_corrections] = &self.products;
+        [difference(&self.vectors, &self.corrections), difference(of_vectors, of_corrections)]
+    }
+
     /// Largest residual.
     fn largest(&self) -> f64 {
         self.residuals.iter().copied().fold(0.0, f64::max)
@@ -98,9 +121,9 @@ impl Refinement {
             let rest = product - pencil.mass_times(x) * squared[k];
             corrections.push(pencil.operator().correction(x, rest, reactions.get(k))?);
         }
-        let energies = pencil.stiffness_products(&corrections).squares;
+        let of_corrections = pencil.stiffness_products(&corrections);
         let mut residuals = Vec::new();
-        for ((z, value), energy) in corrections.iter().zip(&mut squared).zip(&energies) {
+        for ((z, value), energy) in corrections.iter().zip(&mut squared).zip(&of_corrections.squares) {
             let size = pencil.size(z);
             let energy = energy.abs() + shift.abs() * size.powi(2);
             if value.abs() <= ENERGIES * energy && size <= UNDECIDED {
@@ -111,7 +134,8 @@ impl Refinement {
                 value => size * (value - shift) / value.abs(),
             });
         }
-        Ok(Self { squared, vectors, residuals, corrections })
+        let products = [found.products, of_corrections.products];
+        Ok(Self { squared, vectors, residuals, corrections, products })
     }
 
     /// Sorts the modes by ω².
@@ -147,10 +171,14 @@ impl OtherVectors {
         Self { vectors, forms, gram }
     }
 
-    /// Returns the Ritz vectors of the span of these and other vectors X with the lowest Ritz values, as many as X.
-    fn ritz(&self, pencil: &Pencil<'_>, vectors: &[DVector<f64>]) -> Option<Vec<DVector<f64>>> {
+    /// Returns the Ritz vectors of the span of these and other vectors X with the lowest Ritz values, as many as X, for given X and K X.
+    fn ritz(
+        &self,
+        pencil: &Pencil<'_>,
+        [vectors, products]: &[Vec<DVector<f64>>; 2],
+    ) -> Option<Vec<DVector<f64>>> {
         let (count, rows) = (vectors.len(), self.vectors.rows());
-        let products = Columns::of(rows, &pencil.stiffness_products(vectors).products);
+        let products = Columns::of(rows, products);
         let (images, vectors) = (pencil.images(vectors), Columns::of(rows, vectors));
         let bordered = |right: &Columns, own: &DMatrix<f64>| {
             let (first, mixed) = (vectors.products(right), self.vectors.products(right));

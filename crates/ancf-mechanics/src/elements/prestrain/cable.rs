@@ -4,7 +4,7 @@ use nalgebra::{Matrix3, Vector3};
 use super::source::{ElementPlace, Prestrain};
 use super::term::{PrestrainTerm, Prestrained};
 use crate::elements::beam::add_blocks;
-use crate::elements::cable_products::CableColumn;
+use crate::elements::cable_products::{AxialProduct, CableColumn};
 use crate::elements::cable_profile::CableStation;
 use crate::elements::cable_step::vectors;
 use crate::elements::{Cable12, StrainEnergy};
@@ -129,6 +129,7 @@ impl Term for CablePrestrain {
         let mut columns: Vec<_> = columns.iter_mut().map(CableColumn::new).collect();
         for (station, strain) in self.stations(at) {
             let h = self.stretch(station, &q).stiffness(0.0, self.force(strain)) * station.weight;
+            let h = AxialProduct::new(h);
             columns.iter_mut().for_each(|column| column.add_axial(station, &h));
         }
         columns.into_iter().for_each(CableColumn::finish);

@@ -107,6 +107,62 @@ pub fn modes(elements: u32) -> String {
     format!("{HEAD}{body}\n[analysis]\nkind = \"modes\"\ncount = 10\n")
 }
 
+/// Returns the model file of a slender cantilever that the force 10 EI/L² at its end bends to a hook in statics.
+pub fn hook(elements: u32, slenderness: f64) -> String {
+    let (length, rigidity) = (0.02 * slenderness, 2.1e11 * std::f64::consts::PI * 0.02_f64.powi(4) / 64.0);
+    let force = -10.0 * rigidity / length.powi(2);
+    let text = format!(
+        "{HEAD}{}\n[[loads]]\nkind = \"force\"\non = {{ body = \"bar\", at = \"end\" }}\nforce = [0.0, 0.0, {force:?}]\n\n\
+         [analysis]\nkind = \"statics\"\n\n[output]\nstates = 0\n",
+        beam(elements, length)
+    );
+    text.replace("gravity = [0.0, 0.0, -9.81]", "gravity = [0.0, 0.0, 0.0]")
+}
+
+/// Returns the model file of a cable of 100 m between supports at a distance of 90 m, straight before it sags to its catenary.
+pub fn slack_cable(elements: u32) -> String {
+    format!(
+        r#"
+gravity = [0.0, 0.0, -9.81]
+
+[materials.rope]
+density = 1140.0
+young = 2e9
+
+[sections.rope]
+kind = "circle"
+diameter = 0.01
+
+[[bodies]]
+kind = "cable"
+name = "line"
+from = [0.0, 0.0, 0.0]
+to = [100.0, 0.0, 0.0]
+elements = {elements}
+section = "rope"
+material = "rope"
+
+[[joints]]
+kind = "spherical"
+name = "left"
+a = {{ body = "line", at = "start" }}
+
+[[joints]]
+kind = "spherical"
+name = "right"
+a = {{ body = "line", at = "end" }}
+b = {{ point = [90.0, 0.0, 0.0] }}
+
+[analysis]
+kind = "statics"
+first = 0.1
+
+[output]
+states = 0
+"#
+    )
+}
+
 /// Clamped beam along x.
 fn beam(elements: u32, length: f64) -> String {
     body("kind = \"beam\"\nformulation = \"linked\"", elements, length)

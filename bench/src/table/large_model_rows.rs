@@ -3,7 +3,7 @@
 use super::process::{ProgramCost, program_run, run, with_model};
 use super::row::{MeasuredValue, RowSpec, RowUnit};
 use crate::Result;
-use crate::models::{chain, frames, modes, probes};
+use crate::models::{chain, frames, hook, modes, probes, slack_cable};
 
 type Measure = fn() -> Result<MeasuredValue>;
 
@@ -24,7 +24,7 @@ const PROBES: u32 = 1000;
 const FRAMES: (u32, u32) = (10_000, 6);
 
 /// All rows.
-pub(super) const ROWS: [(RowSpec, Measure); 10] = [
+pub(super) const ROWS: [(RowSpec, Measure); 13] = [
     (RowSpec::new("step of a chain, per rigid body", RowUnit::Microseconds, 2.2).large(), chain_step),
     (RowSpec::new("run of one step, per rigid body", RowUnit::Microseconds, 250.0).large(), chain_run),
     (RowSpec::new("check, per rigid body", RowUnit::Microseconds, 250.0).large(), chain_check),
@@ -35,6 +35,15 @@ pub(super) const ROWS: [(RowSpec, Measure); 10] = [
     (scipy("10 modes, 1000 cable elements", 0.0375, 0.025), || lowest_modes(1000)),
     (scipy("10 modes, 5000 cable elements", 0.165, 0.11), || lowest_modes(5000)),
     (scipy("10 modes, 20 000 cable elements", 0.93, 0.62), || lowest_modes(20_000)),
+    (RowSpec::new("10 modes, 100 000 cable elements", RowUnit::Seconds, 10.0).large(), || {
+        lowest_modes(100_000)
+    }),
+    (RowSpec::new("statics, hook of 10 000 elements, L/d = 5000", RowUnit::Seconds, 1.5).large(), || {
+        equilibrium(&hook(10_000, 5000.0))
+    }),
+    (RowSpec::new("statics, slack cable of 100 000 elements", RowUnit::Seconds, 5.0).large(), || {
+        equilibrium(&slack_cable(100_000))
+    }),
 ];
 
 fn per_body(cost: ProgramCost) -> Result<MeasuredValue> {
@@ -96,4 +105,8 @@ fn lowest_modes(elements: u32) -> Result<MeasuredValue> {
         with_model(&modes(elements), run)?.processor,
         "with error estimates and output files",
     ))
+}
+
+fn equilibrium(text: &str) -> Result<MeasuredValue> {
+    Ok(MeasuredValue::new(with_model(text, run)?.processor, "with error estimates and output files"))
 }

@@ -3,6 +3,7 @@
 mod contact_rows;
 mod large_model_rows;
 pub mod lower_bounds;
+mod motion_rows;
 pub mod process;
 mod row;
 mod rows;

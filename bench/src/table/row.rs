@@ -37,7 +37,7 @@ impl RowSpec {
 /// Unit of a row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub enum RowUnit {
-    /// Microseconds of CPU time per element or body.
+    /// Microseconds of CPU time per element or body, or of wall-clock time per step.
     #[serde(rename = "us")]
     Microseconds,
     /// Milliseconds of CPU time per step.

@@ -3,7 +3,7 @@ use std::collections::BTreeMap;
 use super::process::{self, StepCost};
 use super::row::RowUnit::{Factor, Gain, Kilobytes, Microseconds, Milliseconds, Seconds};
 use super::row::{LimitingResource, LowerBound, MeasuredValue, RowSpec, TableRow};
-use super::{contact_rows, large_model_rows, lower_bounds, shell_rows};
+use super::{contact_rows, large_model_rows, lower_bounds, motion_rows, shell_rows};
 use crate::Result;
 use crate::measure::{Machine, SampleSize, median, sample, samples};
 use crate::models::{lattice, net, platform};
@@ -117,7 +117,7 @@ impl RowMeasurements {
             report(spec.name);
             rows.push(TableRow::new(spec, measure(self)));
         }
-        let others = large_model_rows::ROWS.iter().chain(&shell_rows::ROWS);
+        let others = large_model_rows::ROWS.iter().chain(&motion_rows::ROWS).chain(&shell_rows::ROWS);
         for (spec, measure) in others.filter(|(spec, _)| selected(spec)) {
             report(spec.name);
             rows.push(TableRow::new(spec, measure()));

@@ -71,7 +71,7 @@ impl StudyArguments {
         bar.finish_and_clear();
         let results = study.results();
         print(&study_summary::ranges(results));
-        study_summary::failures(results).iter().for_each(|line| print_error(line));
+        study_summary::messages(results).iter().for_each(|line| print_error(line));
         let seconds = clock.elapsed().as_secs_f64();
         print_status(&study_summary::sentence(results, seconds));
         print_json(&study_summary::json(results, seconds));

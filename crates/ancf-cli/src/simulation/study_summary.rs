@@ -41,14 +41,17 @@ pub struct StudyJson<'a> {
     failed: usize,
     invalid: usize,
     stopped: usize,
+    /// Finished cases with warnings or missing objectives.
+    warned: usize,
     wall_seconds: f64,
     objectives: BTreeMap<&'a str, ObjectiveRange>,
-    failures: Vec<FailedCase<'a>>,
+    failures: Vec<CaseMessage<'a>>,
+    warnings: Vec<CaseMessage<'a>>,
 }
 
-/// Case that failed or was invalid.
+/// Message of a case that failed or was invalid, or that finished with warnings.
 #[derive(Serialize)]
-struct FailedCase<'a> {
+struct CaseMessage<'a> {
     case: usize,
     status: &'static str,
     message: &'a str,
@@ -58,7 +61,7 @@ struct FailedCase<'a> {
 pub fn json<'a>(results: &'a StudyResults, seconds: f64) -> StudyJson<'a> {
     let count = |outcome| results.count(outcome);
     let objectives = results.objectives().keys().enumerate();
-    let failure = |(case, row): (usize, &'a CaseRow)| FailedCase {
+    let message = |(case, row): (usize, &'a CaseRow)| CaseMessage {
         case,
         status: row.outcome.word(),
         message: row.message.as_deref().unwrap_or_default(),
@@ -72,9 +75,11 @@ pub fn json<'a>(results: &'a StudyResults, seconds: f64) -> StudyJson<'a> {
         failed: count(CaseOutcome::Failed),
         invalid: count(CaseOutcome::Invalid),
         stopped: count(CaseOutcome::Stopped),
+        warned: results.rows().filter(|(_, row)| is_warned(row)).count(),
         wall_seconds: seconds,
         objectives: objectives.map(|(k, name)| (name.as_str(), results.range(k))).collect(),
-        failures: results.rows().filter(|(_, row)| is_failure(row.outcome)).map(failure).collect(),
+        failures: results.rows().filter(|(_, row)| is_failure(row.outcome)).map(message).collect(),
+        warnings: results.rows().filter(|(_, row)| is_warned(row)).map(message).collect(),
     }
 }
 
@@ -82,9 +87,19 @@ const fn is_failure(outcome: CaseOutcome) -> bool {
     matches!(outcome, CaseOutcome::Failed | CaseOutcome::Invalid)
 }
 
-/// Returns the first messages of cases that failed or were invalid.
-pub fn failures(results: &StudyResults) -> Vec<String> {
-    let failed: Vec<_> = results.rows().filter(|(_, row)| is_failure(row.outcome)).collect();
+/// True for finished cases with warnings or missing objectives.
+fn is_warned(row: &CaseRow) -> bool {
+    row.outcome == CaseOutcome::Finished && row.message.is_some()
+}
+
+/// Returns the first messages of cases that failed or were invalid, then those of finished cases with warnings.
+pub fn messages(results: &StudyResults) -> Vec<String> {
+    let failed = first_messages(results, |row| is_failure(row.outcome));
+    failed.into_iter().chain(first_messages(results, is_warned)).collect()
+}
+
+fn first_messages(results: &StudyResults, is_shown: impl Fn(&CaseRow) -> bool) -> Vec<String> {
+    let failed: Vec<_> = results.rows().filter(|(_, row)| is_shown(row)).collect();
     let line = |(case, row): &(usize, &CaseRow)| {
         let message = row.message.as_deref().unwrap_or_default();
         let message = message.replace('\n', "\n  ");
@@ -125,5 +140,12 @@ pub fn sentence(results: &StudyResults, seconds: f64) -> String {
         none if none.is_empty() => none,
         counts => format!(", {counts}"),
     };
-    format!("{word}: {cases}{taken_over}{failures}, {seconds:.3} s; results in {}", results.path().display())
+    let warned = match results.rows().filter(|(_, row)| is_warned(row)).count() {
+        0 => String::new(),
+        count => format!(", {count} with warnings"),
+    };
+    format!(
+        "{word}: {cases}{taken_over}{failures}{warned}, {seconds:.3} s; results in {}",
+        results.path().display()
+    )
 }

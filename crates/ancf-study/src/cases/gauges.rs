@@ -27,11 +27,18 @@ impl<'a> ObjectiveGauges<'a> {
         let mut messages = Vec::new();
         let value = |((name, objective), gauge): ((&String, &Objective), &Gauge)| {
             let value = gauge.value(objective);
-            if value.is_none() {
-                let row = objective.row.map_or_else(|| "row".to_owned(), |row| format!("row {row}"));
-                messages.push(format!("objectives.{name}: no {row} among {}", gauge.count));
+            match value {
+                None => {
+                    let row = objective.row.map_or_else(|| "row".to_owned(), |row| format!("row {row}"));
+                    messages.push(format!("objectives.{name}: no {row} among {}", gauge.count));
+                }
+                Some(value) if !value.is_finite() => messages.push(format!(
+                    "objectives.{name}: a row of {:?} has no finite number, select another `row`",
+                    objective.column
+                )),
+                Some(_) => {}
             }
-            value
+            value.filter(|value| value.is_finite())
         };
         let values = self.objectives.iter().zip(&self.gauges).map(value).collect();
         (values, messages)

@@ -45,12 +45,15 @@ impl CaseOutcome {
     }
 }
 
+/// First characters of a warning in a message.
+const WARNING: &str = "warning: ";
+
 /// Result of a case.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CaseRow {
     /// Outcome.
     pub outcome: CaseOutcome,
-    /// Error message or warnings.
+    /// Error message, or warnings and missing objectives of a finished case.
     pub message: Option<String>,
     /// Objectives in the order of their names. `None` unless the case finished.
     pub objectives: Vec<Option<f64>>,
@@ -99,7 +102,8 @@ impl CaseRow {
     }
 
     fn from_summary(model: &Model, summary: &Summary, gauges: &ObjectiveGauges<'_>) -> Self {
-        let (values, messages) = gauges.values();
+        let (values, mut messages) = gauges.values();
+        messages.extend(summary.warnings.iter().map(|warning| format!("{WARNING}{warning}")));
         let (outcome, message) = match &summary.outcome {
             Outcome::Finished => (CaseOutcome::Finished, (!messages.is_empty()).then(|| messages.join("\n"))),
             Outcome::Stopped => (CaseOutcome::Stopped, None),

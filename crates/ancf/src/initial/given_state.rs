@@ -163,7 +163,7 @@ pub(crate) fn coordinate_units(assembly: &Assembly, scales: Scales) -> Vec<f64> 
 
 /// User's units of the nodal vectors of a body at rest. The mixed derivative of a flat patch is zero: its unit is that of the tangent
 /// before it.
-fn units(vectors: &[NodalVector], scales: Scales) -> Vec<f64> {
+pub(crate) fn units(vectors: &[NodalVector], scales: Scales) -> Vec<f64> {
     let mut last = 1.0;
     let unit = |vector: &NodalVector| match vector.kind {
         VectorKind::Position => scales.length,

@@ -11,7 +11,7 @@ mod turn_counter;
 
 pub(crate) use equilibrium_search::{EquilibriumSearch, equilibrium_failure, load_stepper};
 pub use given_state::GivenState;
-pub(crate) use given_state::coordinate_units;
+pub(crate) use given_state::{coordinate_units, units};
 pub(crate) use initial_state::InitialState;
 pub use report::InitialReport;
 pub use start_state::StartState;

@@ -4,7 +4,7 @@ use ancf_solver::equations::State;
 use super::step_error::{StepError, argument};
 use super::stepper::Stepper;
 use crate::failure::{AlternationMonitor, RotationMonitor};
-use crate::initial::coordinate_units;
+use crate::initial::{coordinate_units, units};
 use crate::results::{AngleRates, Rows, TIME};
 use crate::simulate::COLUMNS;
 
@@ -31,7 +31,8 @@ pub struct BodyLayout {
     pub first: usize,
     /// True for each position, false for each direction: vectors of three coordinates. Empty for joints.
     pub are_positions: Vec<bool>,
-    /// Reference values of the vectors: positions, and unit directions.
+    /// Reference values of the vectors: positions, and unit directions. The mixed derivatives of shells have the unit of the tangent
+    /// before them.
     pub reference: Vec<[f64; 3]>,
     /// Number of coordinates of a joint.
     pub joint_coordinates: usize,
@@ -53,10 +54,8 @@ impl Stepper {
         let rest = assembly.rest();
         let bodies = assembly.bodies().map(|(name, body)| {
             let vectors = body.vectors(&rest);
-            let reference = vectors.iter().map(|vector| {
-                let unit = if vector.is_position() { scales.length } else { vector.value.norm().recip() };
-                (vector.value * unit).into()
-            });
+            let units = units(&vectors, scales);
+            let reference = vectors.iter().zip(units).map(|(vector, unit)| (vector.value * unit).into());
             BodyLayout {
                 name: name.to_owned(),
                 first: vectors.first().map_or(0, |vector| vector.first),

@@ -37,6 +37,9 @@ pub fn study_page(folder: &Path, record: &StudyRecord) -> String {
     if record.cases.len() > finished.cases.len() {
         sections.push(PageSection::new("failures", "Cases without result", failures(record)));
     }
+    if finished.messages.iter().any(|message| !message.is_empty()) {
+        sections.push(PageSection::new("warnings", "Warnings of finished cases", warnings(&finished)));
+    }
     sections.push(PageSection::new("cases", "Cases", cases(record)));
     if !record.text.is_empty() {
         let text = html! { pre tabindex="0" { (record.text) } };
@@ -143,6 +146,14 @@ fn failures(record: &StudyRecord) -> Markup {
         ul { @for k in failed.take(MAX_CASES) {
             li { "Case " (record.cases[k]) ", " (record.outcomes[k].word()) ": " (record.messages[k]) }
         } }
+    }
+}
+
+/// Warnings of finished cases.
+fn warnings(finished: &StudyRecord) -> Markup {
+    let warned = (0..finished.cases.len()).filter(|&k| !finished.messages[k].is_empty());
+    html! {
+        ul { @for k in warned.take(MAX_CASES) { li { "Case " (finished.cases[k]) ": " (finished.messages[k]) } } }
     }
 }
 

@@ -143,6 +143,36 @@ fn missing_columns_and_rows_are_reported() {
     );
 }
 
+/// A column above its critical load, 63.6 N: the warnings of a finished case are in its row, on the terminal and in the report, and an
+/// objective of a column with rows without a number has a message.
+#[test]
+fn warnings_of_cases_are_reported() {
+    let folder = StudyFolder::new(
+        "parameters.\"loads[0].force[2]\" = [-10, -100]\n[objectives]\ntip = { column = \"tip.z\" }\n\
+         directions = { column = \"unstable\", take = \"max\" }\n",
+    );
+    let model = r#"
+        materials.steel = { density = 7850, young = 2.1e11 }
+        sections.round = { kind = "circle", diameter = 0.01 }
+        bodies = [{ kind = "beam", name = "arm", from = [0, 0, 0], to = [0, 0, 2], elements = 4, section = "round", material = "steel" }]
+        joints = [{ kind = "clamp", name = "root", a = { body = "arm", at = "start" } }]
+        loads = [{ kind = "force", on = { body = "arm", at = "end" }, force = [0, 0, -100] }]
+        probes = [{ name = "tip", on = { body = "arm", at = "end" } }]
+        analysis = { kind = "statics" }
+    "#;
+    fs::write(folder.file("model.toml"), model).unwrap();
+    let messages = folder.run(&[], 0);
+    assert!(messages.contains("case 1: ") && messages.contains("lost its stability"), "{messages}");
+    assert!(messages.contains("done: 2 cases, 2 with warnings, "), "{messages}");
+    let cases = folder.cases();
+    for case in &cases {
+        assert_eq!((text(case, "outcome"), &case["directions"]), ("finished".into(), &Field::Null));
+        assert!(text(case, "message").contains("a row of \"unstable\" has no finite number"));
+    }
+    assert!(!text(&cases[0], "message").contains("warning: "));
+    assert!(text(&cases[1], "message").contains("warning: the equilibrium lost its stability"));
+}
+
 /// Starts a study of many cases and waits for its first table.
 #[cfg(unix)]
 fn started(folder: &StudyFolder) -> std::process::Child {

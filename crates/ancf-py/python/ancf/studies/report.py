@@ -49,6 +49,12 @@ class Study:
         return rows
 
     @property
+    def warned(self) -> pd.DataFrame:
+        """Rows of finished cases with warnings or missing objectives. The column `message` has them."""
+        rows: pd.DataFrame = self.finished[self.finished["message"].notna()]
+        return rows
+
+    @property
     def failed(self) -> pd.DataFrame:
         """Rows of failed and invalid cases. The column `message` has the reason."""
         rows: pd.DataFrame = self.table[self.table["outcome"].isin(["failed", "invalid"])]

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any, Literal
 
 from ancf import _ancf
-from ancf.analysis import data
+from ancf.analysis import data, stack_level
+from ancf.errors import AnalysisWarning
 from ancf.progress import is_seen
 from ancf.studies import settings
 from ancf.studies.definition.design import plain
@@ -92,7 +94,18 @@ def study(
     reserved = frozenset([*_ancf.STUDY_COLUMNS, *(axis.path for axis in design.axes)])
     run_cases(results, Work(base, objectives, kept, reserved), client, settings.threads(jobs), progress)
     file = None if place is None else place / "cases.parquet"
-    return Study(results.table().to_pandas(), [axis.path for axis in design.axes], results.names, file)
+    ended = Study(results.table().to_pandas(), [axis.path for axis in design.axes], results.names, file)
+    warn_of(ended)
+    return ended
+
+
+def warn_of(study: Study) -> None:
+    """Issue one warning for all finished cases with warnings or missing objectives."""
+    warned = study.warned
+    if len(warned):
+        first = warned.iloc[0]
+        text = f"{len(warned)} cases have warnings (column `message`), the first is case {first['case']}: {first['message']}"
+        warnings.warn(text, AnalysisWarning, stacklevel=stack_level())
 
 
 def run_cases(results: Results, work: Work, client: Any, jobs: int, progress: bool | None) -> None:

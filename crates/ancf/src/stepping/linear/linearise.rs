@@ -100,7 +100,7 @@ impl Stepper {
             time: state.time,
             coordinates: state.coordinates,
             velocities: state.velocities,
-            warnings: self.warnings_of_contacts(&s),
+            warnings: self.warnings_of_motion(&s).chain(self.warnings_of_contacts(&s)).collect(),
             a,
             b,
             c,
@@ -108,13 +108,21 @@ impl Stepper {
         }
     }
 
-    fn warnings_of_contacts(&self, s: &State) -> Vec<String> {
+    /// Warning of a moving state. Its minimal coordinates belong to a fixed basis: those of a body that rotates by φ are sin φ.
+    fn warnings_of_motion(&self, s: &State) -> impl Iterator<Item = String> {
+        let is_moving = s.v.iter().any(|v| *v != 0.0);
+        let text = "the state moves: the linear model describes deviations from the motion in coordinates of a fixed basis, and its \
+                    poles are not the frequencies of a structure";
+        is_moving.then(|| text.to_owned()).into_iter()
+    }
+
+    fn warnings_of_contacts(&self, s: &State) -> Option<String> {
         let count = self.dynamics.equations().acting_pairs(s).map_or(0, |pairs| pairs.len());
         let text = || {
             format!(
                 "{count} contact points are closed: the linear model holds while the same ones are closed"
             )
         };
-        (count > 0).then(text).into_iter().collect()
+        (count > 0).then(text)
     }
 }

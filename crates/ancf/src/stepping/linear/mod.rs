@@ -3,6 +3,7 @@
 mod linear_model;
 mod linearise;
 mod null_space;
+mod rate_stiffness;
 mod sensitivity;
 mod tangents;
 

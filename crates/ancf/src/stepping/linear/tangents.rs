@@ -38,12 +38,12 @@ impl Stepper {
         let mut matrix = eom.matrix();
         consistent_accelerations(eom, &mut matrix, &mut s).map_err(|error| self.failed(error))?;
         let (n, m) = (s.q.len(), s.lambda.len());
-        let mut dense = |q: f64, v: f64, a: f64| {
-            eom.tangent(&s, Weights { q, v, a }, &mut matrix);
+        let mut dense = |s: &State, q: f64, v: f64, a: f64| {
+            eom.tangent(s, Weights { q, v, a }, &mut matrix);
             let rows = matrix.dense();
             DMatrix::from_fn(n + m, n + m, |i, j| rows[i][j])
         };
-        let (mass, damping, stiffness) = (dense(0.0, 0.0, 1.0), dense(0.0, 1.0, 0.0), dense(1.0, 0.0, 0.0));
+        let (mass, damping) = (dense(&s, 0.0, 0.0, 1.0), dense(&s, 0.0, 1.0, 0.0));
         let of_coordinates = |k: &DMatrix<f64>| k.view((0, 0), (n, n)).into_owned();
         let constraints = mass.view((n, 0), (m, n)).into_owned();
         let mass = of_coordinates(&mass);
@@ -58,7 +58,14 @@ impl Stepper {
             sum
         };
         let damping = complete(&damping, eom.skew_damping(&s), eom.omitted_damping(&s));
-        let stiffness = complete(&stiffness, eom.skew_stiffness(&s), eom.omitted_stiffness(&s));
+        let mut stiffness_of =
+            |s: &State| complete(&dense(s, 1.0, 0.0, 0.0), eom.skew_stiffness(s), eom.omitted_stiffness(s));
+        let mut stiffness = stiffness_of(&s);
+        if s.v.iter().any(|v| *v != 0.0) {
+            let mut still = s.clone();
+            still.v.fill(0.0);
+            stiffness = self.complete_rate_stiffness(&s, stiffness, &stiffness_of(&still));
+        }
         let basis = null_space(&constraints, &mass).ok_or_else(|| {
             argument("linearise", "a motion without mass", "bodies with mass in all free motions")
         })?;

@@ -190,3 +190,36 @@ fn unlike_edges_are_rejected() {
         assert!(error.contains("joints[1]") && error.contains(part), "{part}: {error}");
     }
 }
+
+/// The moment of the reaction of an edge refers to its middle, also between two nodes and with elements of unequal width: that of a
+/// uniform force across the edge is zero about the axis along the plate, whatever the order of the nodes.
+#[test]
+fn moments_of_edges_refer_to_their_middle() {
+    for widths in [vec![0.1, 0.1, 0.1], vec![0.05, 0.25], vec![0.3], vec![0.1; 4], vec![0.2, 0.1, 0.3, 0.05]]
+    {
+        let mut y = vec![0.0];
+        for width in &widths {
+            y.push(y.last().unwrap() + width);
+        }
+        let nodes: Vec<_> = y.iter().flat_map(|y| [[0.0, *y, 0.0], [1.0, *y, 0.0]]).collect();
+        let elements: Vec<_> = (0..widths.len()).map(|k| [0, 1, 3, 2].map(|node| node + 2 * k)).collect();
+        let mut root: Vec<_> = (0..y.len()).map(|k| 2 * k).collect();
+        let tip: Vec<_> = root.iter().map(|k| k + 1).collect();
+        for _ in 0..2 {
+            let text = format!(
+                "{}{STATICS}[[bodies]]\nkind = \"shear_shell\"\nname = \"p\"\nthickness = 0.01\nmaterial = \"m\"\n\
+                 mesh.nodes = {nodes:?}\nmesh.elements = {elements:?}\nmesh.groups.root = {{ edges = [{root:?}] }}\n\
+                 mesh.groups.tip = {{ edges = [{tip:?}] }}\n{}{}",
+                material(0.3),
+                clamped("p", "root"),
+                edge_force("p", "tip", [0.0, 0.0, 1e-3])
+            );
+            let (solved, _) = run(&text);
+            let width: f64 = widths.iter().sum();
+            assert_relative("force", solved.last("p root.fz"), -1e-3 * width, 1e-9);
+            let moment = solved.last("p root.mx");
+            assert!(moment.abs() < 1e-8 * width * width, "{widths:?}: {moment:e}");
+            root.reverse();
+        }
+    }
+}

@@ -241,3 +241,48 @@ fn what_is_not_linear_is_rejected() {
     let mut touching = Stepper::new(&parse(&ball(0.1))).unwrap();
     assert!(touching.linearise(&[]).unwrap_err().to_string().contains("not differentiable"));
 }
+
+/// A damped arm in a fast motion: accelerations and section forces have the derivatives by the positions, including those of viscous
+/// forces, whose directions and strain rates depend on the positions.
+#[test]
+fn viscous_forces_of_moving_bodies_have_all_derivatives() {
+    for formulation in ["linked", "continuum", "cable"] {
+        let body = match formulation {
+            "cable" => "kind = \"cable\"".to_owned(),
+            _ => format!("kind = \"beam\", formulation = \"{formulation}\""),
+        };
+        let text = format!(
+            "materials.m = {{ density = 1100, young = 5e6, damping = {{ strain = 2e-3 }} }}\n\
+             sections.s = {{ kind = \"circle\", diameter = 0.02 }}\n\
+             gravity = [0, 0, -9.81]\n\
+             bodies = [{{ {body}, name = \"b\", from = [0, 0, 0], to = [1, 0, 0], elements = 2, section = \"s\", material = \"m\" }}]\n\
+             joints = [{{ kind = \"spherical\", name = \"pin\", a = {{ body = \"b\", at = \"start\" }} }}]\n\
+             probes = [{{ name = \"tip\", on = {{ body = \"b\", at = \"end\" }} }}]\n\
+             [analysis]\nkind = \"dynamics\"\nduration = 1\nstep = 1e-3\nscheme = {{ spectral_radius = 0.8 }}\n"
+        );
+        let mut stepper = Stepper::new(&parse(&text)).unwrap();
+        stepper.advance(0.3).unwrap();
+        let outputs = ["tip.ax", "tip.az", "pin.fx", "pin.fz"];
+        let model = stepper.linearise(&outputs).unwrap();
+        assert!(model.warnings.iter().any(|warning| warning.contains("the state moves")));
+        let state = stepper.state();
+        let h = 1e-6;
+        for j in 0..model.basis.ncols() {
+            let mut at = |sign: f64| {
+                let mut moved = state.clone();
+                let by = model.basis.column(j) * (sign * h);
+                moved.coordinates.iter_mut().zip(by.iter()).for_each(|(own, by)| *own += by);
+                stepper.set_state(&moved).unwrap();
+                outputs.map(|name| stepper.read(name).unwrap())
+            };
+            let ([after, before], scale) = ([at(1.0), at(-1.0)], model.c.amax());
+            for (i, name) in outputs.iter().enumerate() {
+                let (found, expected) = (model.c[(i, j)], (after[i] - before[i]) / (2.0 * h));
+                assert!(
+                    (found - expected).abs() < 1e-6 * scale,
+                    "{formulation} {name} {j}: {found} {expected}"
+                );
+            }
+        }
+    }
+}

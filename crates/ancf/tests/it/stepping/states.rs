@@ -77,3 +77,21 @@ fn invalid_states_change_nothing() {
     assert!(stepper.set_state(&far).is_err());
     assert_eq!(stepper.save().unwrap(), saved);
 }
+
+/// The mixed derivatives of a flat shell are zero in the reference state: their references are zero vectors.
+#[test]
+fn layouts_of_shells_are_finite() {
+    let model = parse(
+        "materials.m = { density = 1100, young = 5e9 }\n\
+         bodies = [{ kind = \"shell\", name = \"p\", surface = { kind = \"flat\", corner = [0, 0, 0], side_u = [1, 0, 0], \
+         side_v = [0, 2, 0] }, elements = [2, 2], thickness = 0.01, material = \"m\" }]\n\
+         joints = [{ kind = \"support\", name = \"s\", a = { body = \"p\", at = { edge = \"u_start\" } }, condition = \"clamped\" }]\n\
+         [analysis]\nkind = \"dynamics\"\nduration = 1\nstep = 1e-3\n",
+    );
+    let layout = Stepper::new(&model).unwrap().layout();
+    let sizes = layout[0].reference.iter().zip(&layout[0].are_positions);
+    let sizes: Vec<f64> =
+        sizes.filter(|(_, is)| !**is).map(|(r, _)| r.iter().map(|x| x * x).sum::<f64>().sqrt()).collect();
+    assert_eq!(sizes.len(), 27);
+    assert!(sizes.iter().all(|size| size.abs() < 1e-12 || (size - 1.0).abs() < 1e-12), "{sizes:?}");
+}

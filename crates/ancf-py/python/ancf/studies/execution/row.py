@@ -73,7 +73,8 @@ class Work:
         clash = sorted(self.reserved & values.keys())
         if clash:
             return Row("failed", f"objectives.{clash[0]}: another column of the table has this name")
-        return Row("finished", "\n".join(missing) or None, values)
+        warnings = (f"warning: {warning}" for warning in result.summary["warnings"])
+        return Row("finished", "\n".join([*missing, *warnings]) or None, values)
 
 
 def with_counts(row: Row, result: Result | None) -> Row:

@@ -19,6 +19,8 @@ use crate::units::Scaled;
 
 /// Largest angle of the normals of neighbouring elements by default, in radians: 40 degrees.
 const CREASE: f64 = 0.7;
+/// Distance of the middle of an edge from a node, relative to the element edge, below which it is the node.
+const AT_NODE: f64 = 1e-9;
 /// Largest distance of a point from the middle surface, relative to the size of the mesh.
 const ON_SURFACE: f64 = 1e-6;
 /// Cosine of the angle from the normal of a plane above which a direction is not in the plane.
@@ -183,18 +185,39 @@ impl ShearShell {
                 [node] => Some(*node as usize).filter(|node| *node < self.mesh.nodes.len()),
                 _ => None,
             },
-            At::Edge(EdgePlace { edge }) => {
-                let chain = self.edge(edge)?.first()?;
-                chain
-                    .get(chain.len() / 2)
-                    .map(|node| *node as usize)
-                    .filter(|node| *node < self.mesh.nodes.len())
-            }
             _ => None,
         }
     }
 
-    /// Place of a position on the mesh: of a node, of a point of the middle surface, or of the middle node of an edge.
+    /// Middle by length of the first line of a named edge, which may be between two nodes.
+    fn edge_middle(&self, edge: &EdgeName) -> Option<SurfacePlace> {
+        let line = self.edge(edge)?.first()?;
+        let segments: Vec<[usize; 2]> =
+            line.windows(2).map(|pair| [pair[0] as usize, pair[1] as usize]).collect();
+        let node = |k: usize| self.mesh.nodes.get(k).map(|node| Vector3::from(*node));
+        let length = |[a, b]: [usize; 2]| Some((node(b)? - node(a)?).norm());
+        let lengths: Vec<f64> = segments.iter().map(|segment| length(*segment)).collect::<Option<_>>()?;
+        let (mut left, mut k) = (0.5 * lengths.iter().sum::<f64>(), 0);
+        while k + 1 < segments.len() && left > lengths[k] * (1.0 + AT_NODE) {
+            left -= lengths[k];
+            k += 1;
+        }
+        let [from, to] = *segments.get(k)?;
+        let share = match left / lengths[k] {
+            share if share > 1.0 - AT_NODE => 1.0,
+            share if share > AT_NODE => share,
+            _ => 0.0,
+        };
+        let ends = |element: &ElementNodes| {
+            let face = element.face();
+            Some([face.place_of(from)?, face.place_of(to)?])
+        };
+        let found = self.mesh.elements.iter().enumerate().find_map(|(k, element)| Some((k, ends(element)?)));
+        let (element, [a, b]) = found?;
+        Some(SurfacePlace { element, at: [0, 1].map(|i| a[i] + share * (b[i] - a[i])) })
+    }
+
+    /// Place of a position on the mesh: of a node, of a point of the middle surface, or of the middle of an edge.
     ///
     /// `None` if elements have nodes that do not exist.
     pub fn place(&self, at: &At) -> Option<SurfacePlace> {
@@ -204,6 +227,9 @@ impl ShearShell {
         if let At::Point(point) = at {
             let nearest = self.nearest(point)?;
             return (nearest.distance <= self.tolerance()).then_some(nearest.place);
+        }
+        if let At::Edge(EdgePlace { edge }) = at {
+            return self.edge_middle(edge);
         }
         let node = self.node(at)?;
         let places = self.mesh.elements.iter().map(|element| element.face().place_of(node));

@@ -165,11 +165,20 @@ def _sets(mesh: MeshioMesh, block: int) -> Iterable[tuple[str, Any]]:
             found[name] = cells
     physical = mesh.cell_data.get("gmsh:physical")
     if physical is not None:
-        names = {int(tag): name for name, (tag, _) in mesh.field_data.items()}
-        for tag in np.unique(physical[block]):
+        # Numbers of physical groups begin with 1 in each dimension, and are negative for the opposite orientation.
+        numbers, dimension = np.abs(physical[block]), _dimension(mesh.cells[block].type)
+        names = {int(tag): name for name, (tag, of) in mesh.field_data.items() if int(of) == dimension}
+        for tag in np.unique(numbers):
             if tag != 0:
-                found.setdefault(names.get(int(tag), str(tag)), np.flatnonzero(physical[block] == tag))
+                found.setdefault(names.get(int(tag), str(tag)), np.flatnonzero(numbers == tag))
     return found.items()
+
+
+def _dimension(cell: str) -> int:
+    """Return the dimension of a type of cells."""
+    if cell in FACES:
+        return 2
+    return 1 if cell == "line" else 0
 
 
 def _chains(segments: list[list[int]]) -> list[list[int]]:

@@ -42,6 +42,8 @@ class Projection(NamedTuple):
     """Largest displacement of a node or centre, length."""
     corrected: float
     """Kinetic energy of the correction of the velocities, relative to that of the given ones."""
+    turned: float
+    """Largest rotation of a rigid body or a section, rad."""
 
 
 class BodyState:
@@ -279,13 +281,13 @@ class Simulation:
 
     @state.setter
     def state(self, state: State) -> None:
-        moved, corrected = self.set_state(state)
+        moved, corrected, turned = self.set_state(state)
         size = float(np.abs(state.coordinates).max(initial=0.0))
         size = max([size, *(float(np.abs(rows).max()) for _, _, _, rows, _ in state._layout if rows)])
-        if moved > _SIGNIFICANT * size or corrected > _SIGNIFICANT:
+        if moved > _SIGNIFICANT * size or max(turned, corrected) > _SIGNIFICANT:
             text = (
-                f"the state violates constraints: its correction moves a point by {moved:.3g} and has {corrected:.3g} "
-                "of the kinetic energy"
+                f"the state violates constraints: its correction moves a point by {moved:.3g}, turns a body or a section "
+                f"by about {turned:.3g} rad and has {corrected:.3g} of the kinetic energy"
             )
             warnings.warn(text, AnalysisWarning, stacklevel=stack_level())
 

@@ -128,14 +128,15 @@ impl Stepper {
         time: f64,
         coordinates: PyReadonlyArray1<'_, f64>,
         velocities: PyReadonlyArray1<'_, f64>,
-    ) -> PyResult<(f64, f64)> {
+    ) -> PyResult<(f64, f64, f64)> {
         let [coordinates, velocities] = [coordinates, velocities].map(|numbers| numbers.as_array().to_vec());
         let state = CompleteState { time, coordinates, velocities };
         let mut guard = self.lock()?;
         self.signals.begin(None);
         let stepper: &mut ancf::Stepper = &mut guard;
         let projection = py.detach(|| stepper.set_state(&state));
-        self.done(py, projection).map(|projection| (projection.moved, projection.corrected))
+        self.done(py, projection)
+            .map(|projection| (projection.moved, projection.corrected, projection.turned))
     }
 
     /// Returns the layout of the coordinates.

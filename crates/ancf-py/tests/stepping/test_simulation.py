@@ -144,7 +144,7 @@ def test_states_are_projected() -> None:
         sim.state = state
     assert 0 < sim.read("rod.vx") < 1
     body.positions = [[0.1, -0.8, 0]]
-    moved, _ = sim.set_state(state)
+    moved, _, _ = sim.set_state(state)
     assert 1e-3 < moved < 0.1
     state.coordinates = state.coordinates[:-1]
     with pytest.raises(ValueError, match="state, coordinates"):

@@ -111,6 +111,11 @@ impl Assembly {
         directions.map(|(a, b)| (b.value - a.value).norm() / a.value.norm()).fold(0.0, f64::max)
     }
 
+    /// Returns a joint whose ends have another orientation than in the reference state, although its equations hold.
+    pub(crate) fn misaligned(&self, s: &State) -> Option<&str> {
+        self.joints.iter().find(|joint| !joint.is_aligned(s)).map(|joint| joint.name.as_str())
+    }
+
     /// Names of the joints.
     pub fn joints(&self) -> impl Iterator<Item = &str> {
         self.with_reactions().map(|joint| joint.name.as_str())

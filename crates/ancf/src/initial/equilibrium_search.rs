@@ -6,7 +6,7 @@ use ancf_solver::newton::{
 };
 use ancf_solver::statics::{Equilibrium, LoadIncrements, LoadStepper, solve_regularised};
 
-use super::start_state::StartState;
+use super::start_state::{StartState, require_alignment};
 use super::static_start::StaticStart;
 use crate::assembly::Assembly;
 use crate::failure::{RunFailure, find_cause, instability, require_support};
@@ -52,6 +52,7 @@ impl EquilibriumSearch<'_> {
         });
         let state = statics.state();
         ended.map_err(|error| equilibrium_failure(self.assembly, state, error))?;
+        require_alignment(self.assembly, state)?;
         Ok(state.clone())
     }
 

@@ -15,5 +15,6 @@ pub(crate) use given_state::{coordinate_units, units};
 pub(crate) use initial_state::InitialState;
 pub use report::InitialReport;
 pub use start_state::StartState;
+pub(crate) use start_state::require_alignment;
 pub(crate) use static_start::StaticStart;
 pub(crate) use turn_counter::TurnCounter;

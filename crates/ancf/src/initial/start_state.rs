@@ -1,12 +1,12 @@
 use ancf_solver::dynamics::consistent_positions;
-use ancf_solver::equations::State;
-use ancf_solver::newton::SolveError;
+use ancf_solver::equations::{Inadmissibility, State};
+use ancf_solver::newton::{SolveError, SolveFailure};
 
 use super::initial_state::InitialState;
 use super::report::InitialReport;
 use crate::assembly::Assembly;
 use crate::diagnosis::projection_warning;
-use crate::errors::short;
+use crate::errors::{quoted, short};
 use crate::failure::{FailureCause, FailurePlace, RunFailure};
 use crate::model::Model;
 use crate::units::Scales;
@@ -42,6 +42,7 @@ impl StartState {
         let length = model.length();
         consistent_positions(&assembly.system, &mut assembly.system.matrix(), &mut state, length)
             .map_err(|error| self.failure(error))?;
+        require_alignment(assembly, &state)?;
         let moved = assembly.displacement(&self.state, &state);
         let turned = assembly.turn(&self.state, &state);
         let state = assembly.with_motions(state, model);
@@ -96,6 +97,24 @@ impl StartState {
     }
 }
 
+/// Checks that the joints of rigid bodies have the orientation of the reference state.
+///
+/// # Errors
+/// If a joint has another one: the bodies of a joint that begins later have turned by more than about a right angle.
+pub(crate) fn require_alignment(assembly: &Assembly, s: &State) -> Result<(), RunFailure> {
+    let Some(joint) = assembly.misaligned(s) else { return Ok(()) };
+    let error = SolveError::at(s.t, SolveFailure::Inadmissible(Inadmissibility::HalfTurn));
+    let reason = format!(
+        "joint {} relates its bodies as in the undeformed state, but they have turned too far from this orientation: the equations of the \
+         joint also hold half a turn away",
+        quoted(joint)
+    );
+    let at = FailurePlace::Text(format!("joint {}", quoted(joint)));
+    Err(RunFailure::Solve(error, Some(FailureCause { reason, at, advice: FOR_ORIENTATION })))
+}
+
+/// Advice for a joint with another orientation.
+const FOR_ORIENTATION: &str = "a start in which the bodies are turned by less than a right angle; a joint with a driven angle that turns them back before";
 /// Advice after a failed projection of positions.
 const FOR_POSITIONS: &str =
     "a state of a run with the same joints, and drives with the same values at the start";

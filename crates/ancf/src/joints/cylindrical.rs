@@ -70,6 +70,7 @@ impl JointKind for Cylindrical {
         let axis = Vector3::from(self.axis).normalize();
         let measures = measures::cylindrical(builder.a(), builder.b(), axis);
         builder.keep(&[(measures::GUIDE, 2), (measures::AXIS, 2)], measures);
+        builder.expect_aligned(&[axis]);
         builder.angle(axis, &self.angle_actions());
         builder.displacement(axis, &self.displacement_actions());
         if let Some(friction) = self.friction() {

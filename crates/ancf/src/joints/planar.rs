@@ -52,6 +52,7 @@ impl JointKind for Planar {
         let normal = Vector3::from(self.normal).normalize();
         let measures = measures::planar(builder.a(), builder.b(), normal);
         builder.keep(&[("plane", 1), ("normal", 2)], measures);
+        builder.expect_aligned(&[normal]);
         if let Some(friction) = self.friction() {
             builder.rub_plane(normal, &friction);
         }

@@ -1,3 +1,4 @@
+use ancf_mechanics::bodies::normals_to;
 use nalgebra::Vector3;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -67,6 +68,8 @@ impl JointKind for Prismatic {
         let axis = Vector3::from(self.axis).normalize();
         let measures = measures::prismatic(builder.a(), builder.b(), axis);
         builder.keep(&[(measures::GUIDE, 2), (measures::AXIS, 2), ("rotation about the axis", 1)], measures);
+        let [u, v] = normals_to(axis);
+        builder.expect_aligned(&[axis, u, v]);
         builder.displacement(axis, &self.displacement_actions());
     }
 

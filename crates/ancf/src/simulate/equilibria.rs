@@ -10,7 +10,9 @@ use super::run::{AnalysisRun, RunResult, turn_warning};
 use crate::assembly::Assembly;
 use crate::estimate::{DiscretisationErrors, GapField, HalvedModel};
 use crate::failure::{RunFailure, require_support, unloaded};
-use crate::initial::{StartState, StaticStart, TurnCounter, equilibrium_failure, load_stepper};
+use crate::initial::{
+    StartState, StaticStart, TurnCounter, equilibrium_failure, load_stepper, require_alignment,
+};
 use crate::model::{Model, Path, Statics};
 use crate::results::{AngleRates, LOAD, Rows};
 use crate::units::Scales;
@@ -120,7 +122,7 @@ impl AnalysisRun<'_> {
                 let errors = estimate((model, assembly), state, scales, &mut finer, &mut response);
                 self.summary.warnings.extend(errors.iter().filter_map(DiscretisationErrors::warning));
                 self.summary.errors = errors;
-                Ok(())
+                require_alignment(assembly, state)
             }
             Err(error) => Err(equilibrium_failure(assembly, statics.state(), error)),
         };

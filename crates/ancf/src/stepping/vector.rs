@@ -3,6 +3,7 @@ use ancf_solver::equations::State;
 
 use super::step_error::{StepError, argument};
 use super::stepper::Stepper;
+use crate::errors::quoted;
 use crate::failure::{AlternationMonitor, RotationMonitor};
 use crate::initial::{coordinate_units, units};
 use crate::results::{AngleRates, Rows, TIME};
@@ -43,6 +44,8 @@ pub struct BodyLayout {
 pub struct Projection {
     /// Largest displacement of a node or centre, length.
     pub moved: f64,
+    /// Largest rotation of a rigid body or a section, rad, and change of the lengths of directors.
+    pub turned: f64,
     /// Kinetic energy of the correction of the velocities, relative to that of the given velocities.
     pub corrected: f64,
 }
@@ -98,11 +101,20 @@ impl Stepper {
         let system = &assembly.system;
         consistent_positions(system, &mut system.matrix(), &mut consistent, scaled.length())
             .map_err(|error| self.failed(error))?;
+        if let Some(joint) = assembly.misaligned(&consistent) {
+            let found = format!("bodies of joint {} that are turned against each other", quoted(joint));
+            return Err(argument(
+                "state, coordinates",
+                found,
+                "rotations of less than a right angle from those of the joint",
+            ));
+        }
+        let turned = assembly.turn(&s, &consistent);
         let moved = assembly.displacement(&s, &consistent) * self.simulation.scales().length;
         let corrected = assembly.projection(&consistent).unwrap_or(0.0);
         self.dynamics.set_state(&consistent).map_err(|error| self.failed(error))?;
         self.begin_history();
-        Ok(Projection { moved, corrected })
+        Ok(Projection { moved, turned, corrected })
     }
 
     /// State in solver units.

@@ -109,6 +109,11 @@ impl JointKind for Generic {
             [locked] => vec![measures::angle(a, b, axes[(locked + 1) % 3], axes[(locked + 2) % 3])],
             _ => Vec::new(),
         };
+        match (rows.len(), single(self.rotations)) {
+            (3, _) => builder.expect_aligned(&axes),
+            (2, Some(free)) => builder.expect_aligned(&[axes[free]]),
+            _ => {}
+        }
         builder.keep(&[("rotation", rows.len())], rows);
         if let Some(free) = single(self.rotations) {
             builder.angle(axes[free], &JointActions::default());

@@ -14,6 +14,7 @@ use nalgebra::Vector3;
 use super::coupling::JointCoordinate;
 use super::end::{ClampedGradients, End, Ground, reference};
 use super::equations::{EquationOwner, JointBody, JointEnds, JointEquations, Numbering, Part};
+use super::measures;
 use super::term::JointTerm;
 use crate::model::{ShearShell, TimeFunction, TimeMode};
 
@@ -228,6 +229,16 @@ impl<'a> JointBuilder<'a> {
         let axis = axis.into();
         for normal in normals_to(axis) {
             self.keep_angle(self.a().direction(axis), self.b().direction(normal), Some(name));
+        }
+        self.expect_aligned(&[axis]);
+    }
+
+    /// States that axes of two rigid ends coincide in all admissible states, besides the equations for their products.
+    pub(crate) fn expect_aligned(&mut self, axes: &[Vector3<f64>]) {
+        let (a, b) = (self.a(), self.b());
+        if a.is_rigid() && b.is_rigid() {
+            let cosines = axes.iter().map(|&axis| measures::angle(a, b, axis, axis));
+            self.equations.alignments.extend(cosines);
         }
     }
 

@@ -30,6 +30,7 @@ fn clamp(builder: &mut JointBuilder<'_>, fix: ClampedGradients) {
             for k in 0..3 {
                 builder.keep_angle(here.direction(axes[k]), there.direction(axes[(k + 1) % 3]), Option::None);
             }
+            builder.expect_aligned(&axes);
         }
         (Section(..), Section(..) | Rigid(_)) if fix == ClampedGradients::All => {
             builder.coincide_directions(&reference(here));

@@ -5,7 +5,7 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use ancf_mechanics::bodies::BodyTerms;
-use ancf_mechanics::constraints::{CoincidenceConstraint, ConstraintGroup, Wrench};
+use ancf_mechanics::constraints::{BilinearMeasure, CoincidenceConstraint, ConstraintGroup, Wrench};
 use ancf_mechanics::kinematics::{Attachment, BodyVector, ElementAxis};
 use ancf_mechanics::laws::{LawUnits, StateLaw};
 use ancf_mechanics::shells::ShearShellMesh;
@@ -116,6 +116,9 @@ pub(crate) enum EquationOwner {
     Gas,
 }
 
+/// Smallest cosine between axes that a joint keeps parallel. Other solutions of the equations have cosines of at most zero.
+const ALIGNED: f64 = 0.5;
+
 /// Equations of one joint, or of a gas.
 pub(crate) struct JointEquations {
     pub(crate) owner: EquationOwner,
@@ -127,6 +130,8 @@ pub(crate) struct JointEquations {
     /// Constraint of the position, with its gap.
     pub(crate) position: Option<CoincidenceConstraint>,
     pub(crate) parts: Vec<Part>,
+    /// Cosines between an axis of the first end and the same axis of the second end that the joint keeps at one.
+    pub(crate) alignments: Vec<BilinearMeasure>,
     /// Recorded coordinates of the joint.
     pub(crate) recorded: Vec<RecordedCoordinate>,
     /// Coordinates of states of force laws.
@@ -163,6 +168,13 @@ impl fmt::Debug for JointEquations {
 }
 
 impl JointEquations {
+    /// True if the ends of the joint have the orientation of the reference state in all axes that the joint keeps parallel.
+    ///
+    /// Products of directions have the same values half a turn away, and at 120° about a diagonal.
+    pub(crate) fn is_aligned(&self, s: &State) -> bool {
+        self.alignments.iter().all(|cosine| cosine.value(s) >= ALIGNED)
+    }
+
     /// Creates equations without terms, with the first coordinate and multiplier.
     pub(crate) fn new(owner: EquationOwner, name: &str, coordinate: usize, multiplier: usize) -> Self {
         Self {
@@ -172,6 +184,7 @@ impl JointEquations {
             multipliers: multiplier..multiplier,
             position: None,
             parts: Vec::new(),
+            alignments: Vec::new(),
             recorded: Vec::new(),
             states: Vec::new(),
             held: Vec::new(),

@@ -86,8 +86,8 @@ fn elements_2(text: &str, names: &Names) -> Result<Vec<FileElement>, String> {
         let (dimension, size) = shape(tag, kind)?;
         let nodes = words.list(size)?;
         // The first tag is the physical group; 0 for none.
-        let group = tags.first().filter(|group| **group != 0);
-        let groups = group.map(|group| name(names, dimension, *group)).into_iter().collect();
+        let group = tags.first().map(|group| group.abs()).filter(|group| *group != 0);
+        let groups = group.map(|group| name(names, dimension, group)).into_iter().collect();
         Ok(FileElement { tag, dimension, groups, nodes })
     };
     (0..count).map(|_| read()).collect()
@@ -110,7 +110,8 @@ fn nodes_4(text: &str) -> Result<Vec<(u64, [f64; 3])>, String> {
     Ok(nodes)
 }
 
-/// Physical groups of the entities by dimension and number.
+/// Physical groups of the entities by dimension and number. A negative number is that of a group with the opposite orientation of the
+/// entity (`Geometry.OrientedPhysicals` of Gmsh).
 fn entities_4(text: &str) -> Result<HashMap<(u32, i64), Vec<i64>>, String> {
     if section(text, "Entities").is_none() {
         return Ok(HashMap::new());
@@ -144,8 +145,12 @@ fn elements_4(text: &str, names: &Names) -> Result<Vec<FileElement>, String> {
         for _ in 0..count {
             let tag = words.next()?;
             let (dimension, size) = shape(tag, kind)?;
-            let nodes = words.list(size)?;
-            let groups = own.iter().map(|group| name(names, dimension, *group)).collect();
+            let mut nodes: Vec<u64> = words.list(size)?;
+            // Files of version 2.2 have reversed elements in this case.
+            if dimension == 2 && own.first().is_some_and(|group| *group < 0) {
+                nodes.reverse();
+            }
+            let groups = own.iter().map(|group| name(names, dimension, group.abs())).collect();
             elements.push(FileElement { tag, dimension, groups, nodes });
         }
     }
@@ -205,6 +210,23 @@ mod tests {
         assert_eq!(mesh.groups["plate"], MeshGroup::Elements(vec![0, 1]));
         assert_eq!(parse(&version_4()).unwrap(), mesh);
         assert_eq!(parse(&version_4().replace('\n', "\r\n")).unwrap(), mesh);
+    }
+
+    /// Entities with the opposite orientation belong to their groups. Surfaces are reversed.
+    #[test]
+    fn entities_may_be_reversed_in_groups() {
+        let curve = version_4().replace("1 0 0 0 0 1 0 1 2 2 1 -2", "1 0 0 0 0 1 0 1 -2 2 1 -2");
+        assert_eq!(parse(&curve).unwrap(), parse(&version_4()).unwrap());
+        let surface = version_4().replace("1 0 0 0 2 1 0 1 3 1 1", "1 0 0 0 2 1 0 1 -3 1 1");
+        let (mesh, own) = (parse(&surface).unwrap(), parse(&version_4()).unwrap());
+        assert_eq!(mesh.groups["plate"], own.groups["plate"]);
+        for (reversed, element) in mesh.elements.iter().zip(&own.elements) {
+            let places =
+                |nodes: &[usize], mesh: &FileMesh| nodes.iter().map(|k| mesh.nodes[*k]).collect::<Vec<_>>();
+            let mut expected = places(element, &own);
+            expected.reverse();
+            assert_eq!(places(reversed, &mesh), expected);
+        }
     }
 
     /// A quadrilateral may be divided into two triangles; groups of elements count both.

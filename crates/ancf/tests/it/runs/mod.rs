@@ -1,5 +1,6 @@
 //! Runs of models: observers, checkpoints, failures.
 
+mod alignments;
 mod body_motion;
 pub(crate) mod checkpoints;
 mod equilibrium_starts;

@@ -286,8 +286,8 @@ class Simulation:
         size = max([size, *(float(np.abs(rows).max()) for _, _, _, rows, _ in state._layout if rows)])
         if moved > _SIGNIFICANT * size or max(turned, corrected) > _SIGNIFICANT:
             text = (
-                f"the state violates constraints: its correction moves a point by {moved:.3g}, turns a body or a section "
-                f"by about {turned:.3g} rad and has {corrected:.3g} of the kinetic energy"
+                f"the state violates constraints: its correction moves a point by {moved:.3g}, turns a body or a "
+                f"section by about {turned:.3g} rad and has {corrected:.3g} of the kinetic energy"
             )
             warnings.warn(text, AnalysisWarning, stacklevel=stack_level())
 

@@ -192,3 +192,22 @@ def test_wrong_meshes_are_rejected(change: Any, found: str) -> None:
 def test_arrays_of_another_shape_are_rejected() -> None:
     with pytest.raises(ValueError, match=r"shape \(3, 3\)"):
         ancf.grid_mesh(np.zeros((3, 3)))
+
+
+def test_numbers_of_physical_groups_belong_to_a_dimension() -> None:
+    """Gmsh counts groups from 1 in each dimension. Negative numbers state the opposite orientation."""
+    strip = mixed()
+    numbers = [np.array([1, -1]), np.array([1]), np.array([1, 2]), np.array([1])]
+    names = {"corner": [1, 0], "ends": [1, 1], "plate": [1, 2], "outer": [2, 2]}
+    mesh = ancf.mesh_from_meshio(
+        meshio.Mesh(
+            strip.points,
+            strip.cells,
+            cell_data={"gmsh:physical": numbers},
+            field_data={name: np.array(tag) for name, tag in names.items()},
+        )
+    )
+    assert sorted(mesh.groups) == ["corner", "ends", "outer", "plate"]
+    assert len(mesh.groups["ends"].edges) == 2
+    assert mesh.groups["plate"].elements == [0, 1]
+    assert mesh.groups["outer"].elements == [2]

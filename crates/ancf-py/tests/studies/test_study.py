@@ -358,3 +358,31 @@ def test_an_objective_without_number_is_a_failed_row(bar: dict[str, Any]) -> Non
 def test_a_column_alone_is_an_objective(bar: dict[str, Any]) -> None:
     last = ancf.study(bar, {"elements": [2]}, "tip.y").table["objective"][0]
     assert ancf.study(bar, {"elements": [2]}, ("tip.y", "last")).table["objective"][0] == last
+
+
+def test_warnings_of_cases_are_one_warning() -> None:
+    """A column above its critical load, 63.6 N: the case finishes with a warning in its row."""
+    model = {
+        "materials": {"steel": {"density": 7850, "young": 2.1e11}},
+        "sections": {"round": {"kind": "circle", "diameter": 0.01}},
+        "bodies": [
+            {
+                "kind": "beam",
+                "name": "arm",
+                "from": [0, 0, 0],
+                "to": [0, 0, 2],
+                "elements": 4,
+                "section": "round",
+                "material": "steel",
+            }
+        ],
+        "joints": [{"kind": "clamp", "name": "root", "a": {"body": "arm", "at": "start"}}],
+        "loads": [{"kind": "force", "on": {"body": "arm", "at": "end"}, "force": [0, 0, -100]}],
+        "probes": [{"name": "tip", "on": {"body": "arm", "at": "end"}}],
+        "analysis": {"kind": "statics"},
+    }
+    with pytest.warns(ancf.AnalysisWarning, match="cases with warnings .column `message`.: 1; case 1: "):
+        study = ancf.study(model, {"loads[0].force[2]": [-10, -100]}, {"tip": ("tip.z", "last")})
+    assert list(study.table["outcome"]) == ["finished", "finished"]
+    assert list(study.warned["case"]) == [1]
+    assert "lost its stability" in study.warned["message"].iloc[0]

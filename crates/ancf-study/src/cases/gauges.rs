@@ -38,7 +38,7 @@ impl<'a> ObjectiveGauges<'a> {
                 )),
                 Some(_) => {}
             }
-            value.filter(|value| value.is_finite())
+            value
         };
         let values = self.objectives.iter().zip(&self.gauges).map(value).collect();
         (values, messages)

@@ -2,7 +2,7 @@
 
 use super::findings::unknown_body;
 use crate::errors::{Finding, finding, number, quoted};
-use crate::model::{About, Analysis, IndexedModel, Load, Probe, Quantity, loads_of};
+use crate::model::{About, Analysis, IndexedModel, Load, Probe, Quantity, TimeFunction, loads_of};
 
 /// Checks that named bodies exist, and the checks of the kinds of loads.
 pub(crate) fn kinds(model: &IndexedModel<'_>) -> Vec<Finding> {
@@ -90,7 +90,15 @@ pub(crate) fn bases(model: &IndexedModel<'_>) -> Vec<Finding> {
         };
         Some(finding(format!("{path}.kind"), found, expected).rests_on(["loads".into()]))
     };
-    loads_of(model).filter_map(base).collect()
+    let is_motion = model.analysis.dynamics().is_some();
+    let jump = |(path, load): (String, &Load)| {
+        let jumps = is_motion
+            && matches!(load, Load::BaseRotation(_))
+            && load.time().is_some_and(TimeFunction::jumps);
+        let found = "a jump of the angular velocity of the ground, whose impulse the forces lack";
+        jumps.then(|| finding(format!("{path}.time"), found, "a continuous function, such as a short ramp"))
+    };
+    loads_of(model).filter_map(base).chain(loads_of(model).filter_map(jump)).collect()
 }
 
 /// Rejects inertial sensors on a moving ground: they would lack its acceleration and rotation.

@@ -8,6 +8,7 @@ use ancf_solver::statics::{ArcLengthSteps, EndConditions, Equilibrium, LimitPoin
 use super::finer_equilibria::FinerEquilibria;
 use super::run::{AnalysisRun, RunResult, turn_warning};
 use crate::assembly::Assembly;
+use crate::errors::short;
 use crate::estimate::{DiscretisationErrors, GapField, HalvedModel};
 use crate::failure::{RunFailure, require_support, unloaded};
 use crate::initial::{
@@ -171,6 +172,14 @@ impl AnalysisRun<'_> {
         });
         self.warn_of_instability(path.state(), true);
         let ended = ended.map_err(|error| equilibrium_failure(assembly, path.state(), error));
+        if ended.is_ok() && flow(&written).is_continue() && self.summary.time != settings.load {
+            self.summary.warnings.push(format!(
+                "the path ended after {} points (`analysis.points`) at load factor {}, before it reached {}",
+                settings.points,
+                short(self.summary.time),
+                short(settings.load)
+            ));
+        }
         self.summary.warnings.extend(turn_warning(&rows, "arc length", 1.0));
         conclude(written?, settings.load == self.summary.time, ended)
     }

@@ -166,7 +166,8 @@ fn warnings_of_cases_are_reported() {
     assert!(messages.contains("done: 2 cases, 2 with warnings, "), "{messages}");
     let cases = folder.cases();
     for case in &cases {
-        assert_eq!((text(case, "outcome"), &case["directions"]), ("finished".into(), &Field::Null));
+        assert_eq!(text(case, "outcome"), "finished");
+        assert!(!matches!(&case["directions"], Field::Double(directions) if directions.is_finite()));
         assert!(text(case, "message").contains("a row of \"unstable\" has no finite number"));
     }
     assert!(!text(&cases[0], "message").contains("warning: "));

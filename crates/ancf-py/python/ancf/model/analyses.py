@@ -422,7 +422,8 @@ class EquilibriumPath(Part):
         Largest step of arc length, as the change of the load factor by a step of this length at the start of
         the path (> 0). Default: ``0.2``.
     load
-        Load factor at which the path ends when it first reaches it. Default: ``1.0``.
+        Load factor at which the path ends when it first reaches it. For the other direction, reverse the
+        loads (> 0). Default: ``1.0``.
     max_iterations
         Maximum number of Newton iterations of a step (>= 1). Default: ``30``.
     points

@@ -104,7 +104,9 @@ def warn_of(study: Study) -> None:
     warned = study.warned
     if len(warned):
         first = warned.iloc[0]
-        text = f"{len(warned)} cases have warnings (column `message`), the first is case {first['case']}: {first['message']}"
+        text = (
+            f"cases with warnings (column `message`): {len(warned)}; case {first['case']}: {first['message']}"
+        )
         warnings.warn(text, AnalysisWarning, stacklevel=stack_level())
 
 

@@ -76,8 +76,9 @@ impl From<Unstable> for ancf_solver::statics::UnstablePolicy {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(default, deny_unknown_fields)]
 pub struct Path {
-    /// Load factor at which the path ends when it first reaches it.
+    /// Load factor at which the path ends when it first reaches it. For the other direction, reverse the loads.
     #[unit(number)]
+    #[schemars(extend("exclusiveMinimum" = 0))]
     pub load: f64,
     /// Maximum number of points.
     #[schemars(range(min = 1, max = 1_000_000))]

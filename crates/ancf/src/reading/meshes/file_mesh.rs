@@ -1,6 +1,6 @@
 //! Mesh of a file: nodes, elements and named groups.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, HashMap, HashSet};
 
 use serde::{Deserialize, Serialize};
 
@@ -37,7 +37,8 @@ pub(super) struct FileElement {
 pub(super) const FACE: u32 = 2;
 
 impl FileMesh {
-    /// Creates the mesh of the quadrilaterals and triangles. Nodes of none are left out, since they have no effect.
+    /// Creates the mesh of the quadrilaterals and triangles, with its nodes in the order of the file. Nodes of none are left out, since
+    /// they have no effect.
     ///
     /// # Errors
     /// Descriptions of what was found.
@@ -49,17 +50,16 @@ impl FileMesh {
         if let Some((tag, _)) = nodes.iter().find(|(_, place)| place.iter().any(|x| !x.is_finite())) {
             return Err(format!("node {tag} at a place that is not finite"));
         }
+        let faces = || elements.iter().filter(|element| element.dimension == FACE);
+        let used: HashSet<u64> = faces().flat_map(|element| element.nodes.iter().copied()).collect();
         let (mut mesh, mut numbers) = (Self::default(), HashMap::<u64, usize>::new());
-        for element in elements.iter().filter(|element| element.dimension == FACE) {
-            let mut own = Vec::with_capacity(element.nodes.len());
-            for tag in &element.nodes {
-                let place = places.get(tag).ok_or_else(|| missing(element.tag, *tag))?;
-                own.push(*numbers.entry(*tag).or_insert_with(|| {
-                    mesh.nodes.push(*place);
-                    mesh.nodes.len() - 1
-                }));
-            }
-            mesh.elements.push(own);
+        for (tag, place) in nodes.iter().filter(|(tag, _)| used.contains(tag)) {
+            numbers.insert(*tag, mesh.nodes.len());
+            mesh.nodes.push(*place);
+        }
+        for element in faces() {
+            let number = |tag: &u64| numbers.get(tag).copied().ok_or_else(|| missing(element.tag, *tag));
+            mesh.elements.push(element.nodes.iter().map(number).collect::<Result<_, _>>()?);
         }
         if mesh.elements.is_empty() {
             return Err("no quadrilaterals and no triangles".into());

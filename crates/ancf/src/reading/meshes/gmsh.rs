@@ -196,16 +196,16 @@ mod tests {
         )
     }
 
-    /// Both versions have the same mesh. A node of no element is left out.
+    /// Both versions have the same mesh, with the nodes in the order of the file. A node of no element is left out.
     #[test]
     fn versions_agree() {
         let mesh = parse(&version_2()).unwrap();
         assert_eq!(
             mesh.nodes,
-            [[0., 0., 0.], [1., 0., 0.], [1., 1., 0.], [0., 1., 0.], [2., 0., 0.], [2., 1., 0.]]
+            [[0., 0., 0.], [1., 0., 0.], [2., 0., 0.], [0., 1., 0.], [1., 1., 0.], [2., 1., 0.]]
         );
-        assert_eq!(mesh.elements, [[0, 1, 2, 3], [1, 4, 5, 2]]);
-        assert_eq!(mesh.groups["tip"], MeshGroup::Nodes(vec![4]));
+        assert_eq!(mesh.elements, [[0, 1, 4, 3], [1, 2, 5, 4]]);
+        assert_eq!(mesh.groups["tip"], MeshGroup::Nodes(vec![2]));
         assert_eq!(mesh.groups["left side"], MeshGroup::Edges(vec![vec![0, 3]]));
         assert_eq!(mesh.groups["plate"], MeshGroup::Elements(vec![0, 1]));
         assert_eq!(parse(&version_4()).unwrap(), mesh);
@@ -236,7 +236,7 @@ mod tests {
             .replace("$Elements\n4\n", "$Elements\n5\n")
             .replace("4 3 2 3 1 2 3 6 5", "4 2 2 3 1 2 3 6\n5 2 2 3 1 2 6 5");
         let mesh = parse(&divided).unwrap();
-        assert_eq!(mesh.elements, [vec![0, 1, 2, 3], vec![1, 4, 5], vec![1, 5, 2]]);
+        assert_eq!(mesh.elements, [vec![0, 1, 4, 3], vec![1, 2, 5], vec![1, 5, 4]]);
         assert_eq!(mesh.groups["plate"], MeshGroup::Elements(vec![0, 1, 2]));
     }
 

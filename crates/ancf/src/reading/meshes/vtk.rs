@@ -158,19 +158,20 @@ mod tests {
                             <PointData><DataArray type=\"Int32\" Name=\"held\" format=\"ascii\">0 0 0 1 1 0</DataArray></PointData>\
                             </Piece></PolyData></VTKFile>\n";
 
-    /// Grids and polygons have the same mesh. Points of no quadrilateral are left out, also from groups.
+    /// Grids and polygons have the same mesh, with the nodes in the order of the file. Points of no quadrilateral are left out, also from
+    /// groups.
     #[test]
     fn grids_and_polygons_have_groups() {
         let mut mesh = parse(GRID.as_bytes()).unwrap();
         assert_eq!(
             mesh.nodes,
-            [[0., 0., 0.], [1., 0., 0.], [1., 1., 0.], [0., 1., 0.], [2., 0., 0.], [2., 1., 0.]]
+            [[0., 0., 0.], [1., 0., 0.], [2., 0., 0.], [0., 1., 0.], [1., 1., 0.], [2., 1., 0.]]
         );
-        assert_eq!(mesh.elements, [[0, 1, 2, 3], [1, 4, 5, 2]]);
+        assert_eq!(mesh.elements, [[0, 1, 4, 3], [1, 2, 5, 4]]);
         assert_eq!(mesh.groups["part 1"], MeshGroup::Elements(vec![0]));
         assert_eq!(mesh.groups["part 2"], MeshGroup::Edges(vec![vec![0, 3]]));
-        assert_eq!(mesh.groups["held 1"], MeshGroup::Nodes(vec![3, 2]));
-        assert_eq!(mesh.groups.remove("part 3"), Some(MeshGroup::Nodes(vec![4])));
+        assert_eq!(mesh.groups["held 1"], MeshGroup::Nodes(vec![3, 4]));
+        assert_eq!(mesh.groups.remove("part 3"), Some(MeshGroup::Nodes(vec![2])));
         assert_eq!(mesh.groups.len(), 3);
         assert_eq!(parse(POLYGONS.as_bytes()).unwrap(), mesh);
     }
@@ -210,7 +211,7 @@ mod tests {
         let mesh = parse(GRID.replace("1 2 3 0\n", "1 1 1 1\n").as_bytes()).unwrap();
         assert_eq!(mesh.groups["part 1 elements"], MeshGroup::Elements(vec![0, 1]));
         assert_eq!(mesh.groups["part 1 edges"], MeshGroup::Edges(vec![vec![0, 3]]));
-        assert_eq!(mesh.groups["part 1 nodes"], MeshGroup::Nodes(vec![4]));
+        assert_eq!(mesh.groups["part 1 nodes"], MeshGroup::Nodes(vec![2]));
         let coded = parse(GRID.replace("SCALARS part", "SCALARS my%20part").as_bytes()).unwrap();
         assert_eq!(coded.groups["my part 1"], MeshGroup::Elements(vec![0]));
     }

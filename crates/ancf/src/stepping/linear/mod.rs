@@ -1,5 +1,6 @@
 //! Linear models about states of a motion.
 
+mod differences;
 mod linear_model;
 mod linearise;
 mod null_space;

@@ -153,7 +153,9 @@ fn failures(record: &StudyRecord) -> Markup {
 fn warnings(finished: &StudyRecord) -> Markup {
     let warned = (0..finished.cases.len()).filter(|&k| !finished.messages[k].is_empty());
     html! {
-        ul { @for k in warned.take(MAX_CASES) { li { "Case " (finished.cases[k]) ": " (finished.messages[k]) } } }
+        ul { @for k in warned.take(MAX_CASES) {
+            li style="white-space: pre-line" { "Case " (finished.cases[k]) ": " (finished.messages[k]) }
+        } }
     }
 }
 

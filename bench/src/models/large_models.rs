@@ -1,9 +1,9 @@
 //! Model files of large models.
 
-/// Steel, a round bar and gravity.
-const HEAD: &str = r#"
-gravity = [0.0, 0.0, -9.81]
-
+/// Gravity, the first key of a model.
+const GRAVITY: &str = "\ngravity = [0.0, 0.0, -9.81]\n";
+/// Steel and a round bar.
+const STEEL: &str = r#"
 [materials.steel]
 density = 7850.0
 young = 2.1e11
@@ -16,7 +16,7 @@ diameter = 0.02
 
 /// Returns the model file of an open chain of rigid rods with hinges in turn about y and z.
 pub fn chain(bodies: u32, steps: u32) -> String {
-    let mut text = format!("{HEAD}{}", dynamics(steps, 0));
+    let mut text = format!("{GRAVITY}{STEEL}{}", dynamics(steps, 0));
     for k in 0..bodies {
         let x = 0.1 * f64::from(k);
         let axis = if k.is_multiple_of(2) { "[0.0, 1.0, 0.0]" } else { "[0.0, 0.0, 1.0]" };
@@ -48,7 +48,7 @@ axis = {axis}
 
 /// Returns the model file of a cantilever beam of 20 elements with evenly spaced probes, which record every step.
 pub fn probes(count: u32, steps: u32) -> String {
-    let mut text = format!("{HEAD}{}{}", beam(20, 10.0), dynamics(steps, 0));
+    let mut text = format!("{GRAVITY}{STEEL}{}{}", beam(20, 10.0), dynamics(steps, 0));
     for k in 0..count {
         let s = 10.0 * f64::from(k + 1) / f64::from(count + 1);
         text += &format!("\n[[probes]]\nname = \"p{k}\"\non = {{ body = \"bar\", at = {s:?} }}\n");
@@ -98,25 +98,24 @@ step = 2e-3
 
 /// Returns the model file of a long cantilever beam with stored states.
 pub fn frames(elements: u32, states: u32) -> String {
-    format!("{HEAD}{}{}", beam(elements, 0.01 * f64::from(elements)), dynamics(states - 1, states))
+    format!("{GRAVITY}{STEEL}{}{}", beam(elements, 0.01 * f64::from(elements)), dynamics(states - 1, states))
 }
 
 /// Returns the model file of the ten lowest modes of a cantilever cable with a length of 1 m.
 pub fn modes(elements: u32) -> String {
     let body = body("kind = \"cable\"", elements, 1.0);
-    format!("{HEAD}{body}\n[analysis]\nkind = \"modes\"\ncount = 10\n")
+    format!("{GRAVITY}{STEEL}{body}\n[analysis]\nkind = \"modes\"\ncount = 10\n")
 }
 
 /// Returns the model file of a slender cantilever that the force 10 EI/L² at its end bends to a hook in statics.
 pub fn hook(elements: u32, slenderness: f64) -> String {
     let (length, rigidity) = (0.02 * slenderness, 2.1e11 * std::f64::consts::PI * 0.02_f64.powi(4) / 64.0);
     let force = -10.0 * rigidity / length.powi(2);
-    let text = format!(
-        "{HEAD}{}\n[[loads]]\nkind = \"force\"\non = {{ body = \"bar\", at = \"end\" }}\nforce = [0.0, 0.0, {force:?}]\n\n\
+    format!(
+        "{STEEL}{}\n[[loads]]\nkind = \"force\"\non = {{ body = \"bar\", at = \"end\" }}\nforce = [0.0, 0.0, {force:?}]\n\n\
          [analysis]\nkind = \"statics\"\n\n[output]\nstates = 0\n",
         beam(elements, length)
-    );
-    text.replace("gravity = [0.0, 0.0, -9.81]", "gravity = [0.0, 0.0, 0.0]")
+    )
 }
 
 /// Returns the model file of a cable of 100 m between supports at a distance of 90 m, straight before it sags to its catenary.

@@ -32,17 +32,17 @@ pub(super) const ROWS: [(RowSpec, Measure); 13] = [
     (RowSpec::new("memory, 1000 probes", RowUnit::Megabytes, 100.0).large(), probe_memory),
     (RowSpec::new("ParaView, a frame of 1e4 elements", RowUnit::Seconds, 0.2).large(), paraview_frame),
     (RowSpec::new("memory, ParaView, 1e4 elements", RowUnit::Megabytes, 100.0).large(), paraview_memory),
-    (scipy("10 modes, 1000 cable elements", 0.0375, 0.025), || lowest_modes(1000)),
-    (scipy("10 modes, 5000 cable elements", 0.165, 0.11), || lowest_modes(5000)),
-    (scipy("10 modes, 20 000 cable elements", 0.93, 0.62), || lowest_modes(20_000)),
+    (scipy("10 modes, 1000 cable elements", 0.0375, 0.025), || whole_run(&modes(1000))),
+    (scipy("10 modes, 5000 cable elements", 0.165, 0.11), || whole_run(&modes(5000))),
+    (scipy("10 modes, 20 000 cable elements", 0.93, 0.62), || whole_run(&modes(20_000))),
     (RowSpec::new("10 modes, 100 000 cable elements", RowUnit::Seconds, 10.0).large(), || {
-        lowest_modes(100_000)
+        whole_run(&modes(100_000))
     }),
     (RowSpec::new("statics, hook of 10 000 elements, L/d = 5000", RowUnit::Seconds, 1.5).large(), || {
-        equilibrium(&hook(10_000, 5000.0))
+        whole_run(&hook(10_000, 5000.0))
     }),
     (RowSpec::new("statics, slack cable of 100 000 elements", RowUnit::Seconds, 5.0).large(), || {
-        equilibrium(&slack_cable(100_000))
+        whole_run(&slack_cable(100_000))
     }),
 ];
 
@@ -100,13 +100,6 @@ fn paraview_memory() -> Result<MeasuredValue> {
     Ok(MeasuredValue::new(1e-6 * paraview(FRAMES.1)?.memory, "maximum resident memory"))
 }
 
-fn lowest_modes(elements: u32) -> Result<MeasuredValue> {
-    Ok(MeasuredValue::new(
-        with_model(&modes(elements), run)?.processor,
-        "with error estimates and output files",
-    ))
-}
-
-fn equilibrium(text: &str) -> Result<MeasuredValue> {
+fn whole_run(text: &str) -> Result<MeasuredValue> {
     Ok(MeasuredValue::new(with_model(text, run)?.processor, "with error estimates and output files"))
 }

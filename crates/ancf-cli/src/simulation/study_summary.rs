@@ -75,16 +75,16 @@ pub fn json<'a>(results: &'a StudyResults, seconds: f64) -> StudyJson<'a> {
         failed: count(CaseOutcome::Failed),
         invalid: count(CaseOutcome::Invalid),
         stopped: count(CaseOutcome::Stopped),
-        warned: results.rows().filter(|(_, row)| is_warned(row)).count(),
+        warned: cases_with(results, is_warned).count(),
         wall_seconds: seconds,
         objectives: objectives.map(|(k, name)| (name.as_str(), results.range(k))).collect(),
-        failures: results.rows().filter(|(_, row)| is_failure(row.outcome)).map(message).collect(),
-        warnings: results.rows().filter(|(_, row)| is_warned(row)).map(message).collect(),
+        failures: cases_with(results, is_failure).map(message).collect(),
+        warnings: cases_with(results, is_warned).map(message).collect(),
     }
 }
 
-const fn is_failure(outcome: CaseOutcome) -> bool {
-    matches!(outcome, CaseOutcome::Failed | CaseOutcome::Invalid)
+const fn is_failure(row: &CaseRow) -> bool {
+    matches!(row.outcome, CaseOutcome::Failed | CaseOutcome::Invalid)
 }
 
 /// True for finished cases with warnings or missing objectives.
@@ -92,23 +92,31 @@ fn is_warned(row: &CaseRow) -> bool {
     row.outcome == CaseOutcome::Finished && row.message.is_some()
 }
 
+/// Cases whose rows have a property.
+fn cases_with(
+    results: &StudyResults,
+    has: impl Fn(&CaseRow) -> bool,
+) -> impl Iterator<Item = (usize, &CaseRow)> {
+    results.rows().filter(move |(_, row)| has(row))
+}
+
 /// Returns the first messages of cases that failed or were invalid, then those of finished cases with warnings.
 pub fn messages(results: &StudyResults) -> Vec<String> {
-    let failed = first_messages(results, |row| is_failure(row.outcome));
+    let failed = first_messages(results, is_failure);
     failed.into_iter().chain(first_messages(results, is_warned)).collect()
 }
 
 fn first_messages(results: &StudyResults, is_shown: impl Fn(&CaseRow) -> bool) -> Vec<String> {
-    let failed: Vec<_> = results.rows().filter(|(_, row)| is_shown(row)).collect();
+    let shown: Vec<_> = cases_with(results, is_shown).collect();
     let line = |(case, row): &(usize, &CaseRow)| {
         let message = row.message.as_deref().unwrap_or_default();
         let message = message.replace('\n', "\n  ");
         let kind = if row.outcome == CaseOutcome::Invalid { "invalid: " } else { "" };
         format!("case {case}: {kind}{message}")
     };
-    let mut lines: Vec<_> = failed.iter().take(MAX_MESSAGES).map(line).collect();
-    if failed.len() > MAX_MESSAGES {
-        lines.push(format!("{} more messages are in the column `message`", failed.len() - MAX_MESSAGES));
+    let mut lines: Vec<_> = shown.iter().take(MAX_MESSAGES).map(line).collect();
+    if shown.len() > MAX_MESSAGES {
+        lines.push(format!("{} more messages are in the column `message`", shown.len() - MAX_MESSAGES));
     }
     lines
 }
@@ -140,7 +148,7 @@ pub fn sentence(results: &StudyResults, seconds: f64) -> String {
         none if none.is_empty() => none,
         counts => format!(", {counts}"),
     };
-    let warned = match results.rows().filter(|(_, row)| is_warned(row)).count() {
+    let warned = match cases_with(results, is_warned).count() {
         0 => String::new(),
         count => format!(", {count} with warnings"),
     };

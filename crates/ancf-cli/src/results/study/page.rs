@@ -35,10 +35,19 @@ pub fn study_page(folder: &Path, record: &StudyRecord) -> String {
         sections.push(PageSection::new(objective.name.clone(), objective.name.clone(), body));
     }
     if record.cases.len() > finished.cases.len() {
-        sections.push(PageSection::new("failures", "Cases without result", failures(record)));
+        sections.push(PageSection::new(
+            "failures",
+            "Cases without result",
+            messages(record, |k| record.outcomes[k] != CaseOutcome::Finished),
+        ));
     }
-    if finished.messages.iter().any(|message| !message.is_empty()) {
-        sections.push(PageSection::new("warnings", "Warnings of finished cases", warnings(&finished)));
+    let is_warned = |k: usize| !finished.messages[k].is_empty();
+    if (0..finished.cases.len()).any(is_warned) {
+        sections.push(PageSection::new(
+            "warnings",
+            "Warnings of finished cases",
+            messages(&finished, is_warned),
+        ));
     }
     sections.push(PageSection::new("cases", "Cases", cases(record)));
     if !record.text.is_empty() {
@@ -140,21 +149,13 @@ fn sensitivities(finished: &StudyRecord, objective: &RecordedColumn) -> Markup {
     }
 }
 
-fn failures(record: &StudyRecord) -> Markup {
-    let failed = (0..record.cases.len()).filter(|&k| record.outcomes[k] != CaseOutcome::Finished);
+/// Messages of the cases of a record that `is_listed` selects.
+fn messages(record: &StudyRecord, is_listed: impl Fn(usize) -> bool) -> Markup {
     html! {
-        ul { @for k in failed.take(MAX_CASES) {
-            li { "Case " (record.cases[k]) ", " (record.outcomes[k].word()) ": " (record.messages[k]) }
-        } }
-    }
-}
-
-/// Warnings of finished cases.
-fn warnings(finished: &StudyRecord) -> Markup {
-    let warned = (0..finished.cases.len()).filter(|&k| !finished.messages[k].is_empty());
-    html! {
-        ul { @for k in warned.take(MAX_CASES) {
-            li style="white-space: pre-line" { "Case " (finished.cases[k]) ": " (finished.messages[k]) }
+        ul { @for k in (0..record.cases.len()).filter(|k| is_listed(*k)).take(MAX_CASES) {
+            li style="white-space: pre-line" {
+                "Case " (record.cases[k]) ", " (record.outcomes[k].word()) ": " (record.messages[k])
+            }
         } }
     }
 }

@@ -1,4 +1,4 @@
-use ancf_solver::equations::State;
+use ancf_solver::equations::{EquationsOfMotion, State};
 use nalgebra::DVector;
 
 use crate::stepping::stepper::Stepper;
@@ -7,6 +7,14 @@ use crate::stepping::stepper::Stepper;
 const DIFFERENCE: f64 = 1e-6;
 
 impl Stepper {
+    /// Residuals of the coordinates in a state.
+    pub(super) fn forces_at(&self, s: &State) -> DVector<f64> {
+        let mut r = vec![0.0; s.q.len() + s.lambda.len()];
+        self.dynamics.equations().residual(s, &mut r);
+        r.truncate(s.q.len());
+        DVector::from_vec(r)
+    }
+
     /// Step of finite differences along a direction.
     pub(super) fn difference(&self, direction: &DVector<f64>) -> f64 {
         DIFFERENCE * self.simulation.scaled.length() / direction.amax().max(f64::MIN_POSITIVE)

@@ -1,4 +1,4 @@
-use ancf_solver::equations::{EquationsOfMotion, State};
+use ancf_solver::equations::State;
 use nalgebra::{DMatrix, DVector};
 
 use crate::stepping::stepper::Stepper;
@@ -19,16 +19,11 @@ impl Stepper {
         assembled: DMatrix<f64>,
         at_rest: &DMatrix<f64>,
     ) -> DMatrix<f64> {
-        let (eom, n) = (self.dynamics.equations(), s.q.len());
-        let residual = |s: &State| {
-            let mut r = vec![0.0; n + s.lambda.len()];
-            eom.residual(s, &mut r);
-            DVector::from_vec(r).rows(0, n).into_owned()
-        };
+        let n = s.q.len();
         let forces = |moved: &State| {
             let mut still = moved.clone();
             still.v.fill(0.0);
-            residual(moved) - residual(&still)
+            self.forces_at(moved) - self.forces_at(&still)
         };
         let derivative = |direction: DVector<f64>| self.central(s, &direction, None, forces);
         // No entry of the direction is zero.

@@ -94,23 +94,18 @@ impl Stepper {
 
     /// Forces −∂r/∂u of the inputs, which are affine in u.
     fn input_forces(&self, s: &State) -> DMatrix<f64> {
-        let (eom, signals) = (self.dynamics.equations(), &self.simulation.inputs);
-        let residual = || {
-            let mut r = vec![0.0; s.q.len() + s.lambda.len()];
-            eom.residual(s, &mut r);
-            DVector::from_vec(r)
-        };
+        let signals = &self.simulation.inputs;
         let mut forces = DMatrix::zeros(s.q.len(), signals.len());
         for (j, signal) in signals.iter().enumerate() {
             let own = signal.transition();
             let (value, h) = (signal.at(s.t).value, signal.at(s.t).value.abs().max(1.0));
             let at = |value: f64| {
                 signal.set(InputTransition { values: [value; 2], ..own });
-                residual()
+                self.forces_at(s)
             };
             let change = (at(value - h) - at(value + h)) / (2.0 * h);
             signal.set(own);
-            forces.set_column(j, &change.rows(0, s.q.len()));
+            forces.set_column(j, &change);
         }
         forces
     }
@@ -118,11 +113,7 @@ impl Stepper {
     /// Compares the derivatives of the forces along all free motions with finite differences.
     pub(super) fn check_derivatives(&self, of: &Linearised) -> Result<(), StepError> {
         let (eom, n) = (self.dynamics.equations(), of.s.q.len());
-        let residual = |s: &State| {
-            let mut r = vec![0.0; n + s.lambda.len()];
-            eom.residual(s, &mut r);
-            DVector::from_vec(r).rows(0, n).into_owned()
-        };
+        let forces = |s: &State| self.forces_at(s);
         let mut floor = vec![0.0; n + of.s.lambda.len()];
         eom.rounding(&of.s, &mut floor);
         let zeros = DVector::zeros(n);
@@ -131,8 +122,8 @@ impl Stepper {
             for z in of.basis.column_iter() {
                 let z = z.into_owned();
                 let found = match is_stiffness {
-                    true => self.central(&of.s, &z, None, residual),
-                    false => self.central(&of.s, &zeros, Some(&z), residual),
+                    true => self.central(&of.s, &z, None, forces),
+                    false => self.central(&of.s, &zeros, Some(&z), forces),
                 };
                 let expected = matrix * &z;
                 let size = (&magnitudes * z.abs()).amax();

@@ -109,7 +109,12 @@ pub unsafe extern "C" fn ancf_set_state(
         with(simulation, |own| {
             let coordinates = array(coordinates, count, "coordinates")?.to_vec();
             let velocities = array(velocities, count, "velocities")?.to_vec();
-            let projection = own.stepper.set_state(&CompleteState { time, coordinates, velocities })?;
+            let projection = own.stepper.set_state(&CompleteState {
+                time,
+                coordinates,
+                velocities,
+                angles: Vec::new(),
+            })?;
             put_if(moved, projection.moved);
             put_if(corrected, projection.corrected);
             Ok(())

@@ -14,3 +14,4 @@ pub mod factor;
 pub mod newton;
 pub mod sparse;
 pub mod statics;
+mod vectors;

@@ -7,6 +7,6 @@ mod surfaces;
 
 pub use crate::laws::ContactLaw;
 pub use beams::{BeamContact, BeamContacts};
-pub use obstacles::{Obstacle, ObstacleContact, ObstacleContacts, ObstacleShape};
+pub use obstacles::{BallContact, Obstacle, ObstacleContact, ObstacleContacts, ObstacleShape};
 pub use parts::{ClosestContact, ContactGeometry, ContactPoint};
 pub use surfaces::{FaceContact, FaceContacts, ThinContact, ThinContacts};

@@ -22,8 +22,8 @@ use crate::kinematics::ElementAxis;
 /// is F·u of the drag F, the power of a time-dependent current, and ½ ṙ·Ṁ ṙ. The last term occurs since Morison's
 /// formula has no forces that rotate the momentum of the fluid with the line. The dissipated power is F·w ≥ 0.
 ///
-/// The mass and the derivative by v are exact. The derivative by q is not symmetric, and the tangent contains its
-/// symmetric part.
+/// The mass and the derivative by v are exact. The derivative by q is not symmetric: the tangent contains its symmetric part, and
+/// the skew part is stated.
 #[derive(Clone, Debug)]
 pub struct MorisonLoad {
     coordinates: Vec<usize>,
@@ -94,6 +94,22 @@ fn size(weights: &[f64; 4], x: &[f64]) -> f64 {
     vectors(x).zip(weights).map(|(x, w)| x.norm() * w.abs()).sum()
 }
 
+/// Derivatives by the vectors of an element.
+type Blocks = [[Matrix3<f64>; 4]; 4];
+
+/// Skew entries of this size, relative to the derivative, are rounding errors.
+const NEGLIGIBLE: f64 = 1e-13;
+
+/// Returns an entry by its row and column.
+fn entry(blocks: &Blocks, row: usize, column: usize) -> f64 {
+    blocks[row / 3][column / 3][(row % 3, column % 3)]
+}
+
+/// Calls `visit` with the rows and columns of the lower triangle of n vectors.
+fn each_entry(n: usize, mut visit: impl FnMut(usize, usize)) {
+    (0..3 * n).for_each(|row| (0..=row).for_each(|column| visit(row, column)));
+}
+
 impl Term for MorisonLoad {
     fn coordinates(&self) -> &[usize] {
         &self.coordinates
@@ -140,9 +156,29 @@ impl Term for MorisonLoad {
                 }
             }
         }
-        for (i, j) in (0..3 * n).flat_map(|i| (0..=i).map(move |j| (i, j))) {
-            k.add(i, j, blocks[i / 3][j / 3][(i % 3, j % 3)]);
+        each_entry(n, |i, j| k.add(i, j, entry(&blocks, i, j)));
+    }
+
+    fn skew_stiffness(&self, at: &Local<'_>, visit: &mut dyn FnMut(usize, usize, f64)) {
+        let (fluid, n) = (self.fluid.motion(at.t), self.coordinates.len() / 3);
+        let (mut blocks, mut largest) = ([[Matrix3::zeros(); 4]; 4], 0.0_f64);
+        for station in &self.stations {
+            let (values, slopes) = (&station.values, &station.slopes);
+            let half = station.coefficients.derivatives(&station.flow(at, &fluid)).gradient * -0.5;
+            for i in 0..n {
+                for j in 0..=i {
+                    let parts = [half * (values[i] * slopes[j]), half.transpose() * (slopes[i] * values[j])];
+                    largest = parts.iter().map(Matrix3::amax).fold(largest, f64::max);
+                    blocks[i][j] += parts[0] - parts[1];
+                }
+            }
         }
+        each_entry(n, |i, j| {
+            let value = entry(&blocks, i, j);
+            if i > j && value.abs() > NEGLIGIBLE * largest {
+                visit(i, j, value);
+            }
+        });
     }
 
     fn energy(&self, at: &Local<'_>) -> Energy {

@@ -41,3 +41,32 @@ impl Expression {
         self.root.at(&|_| t)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn at(text: &str, t: f64) -> [f64; 3] {
+        let FunctionValue { value, rate, acceleration } = Expression::parse(text).unwrap().at(t);
+        [value, rate, acceleration]
+    }
+
+    /// Saturated tanh and powers of zero have their values and derivatives.
+    #[test]
+    fn formulas_are_finite_where_their_values_are() {
+        assert_eq!(at("tanh(2000*(t - 0.3))", 0.7), [1.0, 0.0, 0.0]);
+        assert_eq!(at("tanh(-800*t)", 1.0), [-1.0, 0.0, 0.0]);
+        let slope = 1.0 - 0.3_f64.tanh().powi(2);
+        let [value, rate, acceleration] = at("tanh(t)", 0.3);
+        assert!((value - 0.3_f64.tanh()).abs() < 1e-15 && (rate - slope).abs() < 1e-15);
+        assert!((acceleration + 2.0 * 0.3_f64.tanh() * slope).abs() < 1e-15);
+        assert_eq!(at("t^2.5", 0.0), [0.0; 3]);
+        assert_eq!(at("t^1.5", 0.0)[..2], [0.0; 2]);
+        assert_eq!(at("t^0.5", 0.0)[0], 0.0);
+        assert_eq!(at("max(t, 0)^1.5", -1.0), [0.0; 3]);
+        assert_eq!(at("0^t", 2.0), [0.0; 3]);
+        assert_eq!(at("sqrt(t^2)", 0.0)[..2], [0.0; 2]);
+        assert_eq!(at("t^1.5", 4.0), [8.0, 3.0, 0.375]);
+        assert!(at("t^1.5", -1.0)[0].is_nan());
+    }
+}

@@ -39,6 +39,14 @@ impl InputTransition {
         Self { times: [now, now + duration], values: [before, value], integral: self.integral(now) }
     }
 
+    /// Continues the transition of the time `now` at another time, with the present value. The integral is that up to this time.
+    #[must_use]
+    pub fn moved(&self, now: f64, to: f64) -> Self {
+        let rest = (self.times[1] - now).max(0.0);
+        let value = if rest > 0.0 { self.at(now).value } else { self.values[1] };
+        Self { times: [to, to + rest], values: [value, self.values[1]], integral: self.integral(to) }
+    }
+
     /// Returns true if all numbers are finite and the times are in order.
     pub fn is_valid(&self) -> bool {
         let numbers = self.times.iter().chain(&self.values).chain([&self.integral]);

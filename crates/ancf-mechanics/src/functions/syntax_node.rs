@@ -154,10 +154,10 @@ impl Operand for Jet {
             Unary::Atan => self.atan(),
             Unary::Sinh => self.sinh(),
             Unary::Cosh => self.cosh(),
-            Unary::Tanh => self.tanh(),
+            Unary::Tanh => tanh(self),
             Unary::Exp => self.exp(),
             Unary::Ln => self.ln(),
-            Unary::Sqrt => self.sqrt(),
+            Unary::Sqrt => real_power(self, 0.5),
             Unary::Abs if self.re < 0.0 => -self,
             Unary::Abs => self,
             Unary::Sign => Self::from_re(if self.re == 0.0 { 0.0 } else { self.re.signum() }),
@@ -196,10 +196,31 @@ fn power(x: Jet, y: Jet) -> Jet {
     if constant && y.re.fract() == 0.0 && y.re.abs() <= 64.0 {
         whole_power(x, y.re as i32)
     } else if constant {
-        x.powf(y.re)
+        real_power(x, y.re)
+    } else if (x.re, x.v1, x.v2) == (0.0, 0.0, 0.0) && y.re > 0.0 {
+        x
     } else {
         (x.ln() * y).exp()
     }
+}
+
+/// Computes f(x) with its first and second derivatives. A constant argument has none, also where those of f are infinite.
+fn chained(x: Jet, [f, f1, f2]: [f64; 3]) -> Jet {
+    let times = |derivative: f64, by: f64| if by == 0.0 { 0.0 } else { derivative * by };
+    Jet::new(f, times(f1, x.v1), times(f1, x.v2) + times(f2, x.v1 * x.v1))
+}
+
+/// Computes xʸ with the derivatives y xʸ⁻¹ and y(y − 1) xʸ⁻².
+fn real_power(x: Jet, y: f64) -> Jet {
+    let root = |y: f64| if y == 0.5 { x.re.sqrt() } else { x.re.powf(y) };
+    chained(x, [root(y), y * x.re.powf(y - 1.0), y * (y - 1.0) * x.re.powf(y - 2.0)])
+}
+
+/// Computes tanh x, also where cosh x overflows.
+fn tanh(x: Jet) -> Jet {
+    let f = x.re.tanh();
+    let f1 = (1.0 - f) * (1.0 + f);
+    chained(x, [f, f1, -2.0 * f * f1])
 }
 
 /// Computes xⁿ with the derivatives n xⁿ⁻¹ and n(n − 1) xⁿ⁻², without division for n ≥ 0.

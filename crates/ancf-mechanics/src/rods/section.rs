@@ -62,6 +62,22 @@ impl RodSection {
         Self { strain: self.strain + strain, curvature: self.curvature + curvature, ..self }
     }
 
+    /// Returns the section of elements with the Green strains ε − ε⁰: stretch and bending are stiffer by (1 + ε⁰)².
+    #[must_use]
+    pub fn of_green_strains(self) -> Self {
+        let stiffness = self.stiffening();
+        Self {
+            stretch: Vector3::new(self.stretch.x / stiffness, self.stretch.y, self.stretch.z),
+            bend: Vector3::new(self.bend.x, self.bend.y / stiffness, self.bend.z / stiffness),
+            ..self
+        }
+    }
+
+    /// Returns (1 + ε⁰)², the relative stiffness of elements with the Green strains ε − ε⁰.
+    pub fn stiffening(&self) -> f64 {
+        (1.0 + self.strain).powi(2)
+    }
+
     /// Returns the larger compliance of bending.
     pub fn flexibility(&self) -> f64 {
         self.bend.y.max(self.bend.z)

@@ -91,6 +91,8 @@ class State:
     """Coordinates: changes from the reference of all bodies, and coordinates of joints."""
     velocities: Array
     """Rates of the coordinates."""
+    angles: Array
+    """Angles of joints and sensors with full turns, which the coordinates determine up to these."""
     _layout: Sequence[_ancf._Layout] = field(repr=False)
 
     def body(self, name: str) -> BodyState:
@@ -117,7 +119,7 @@ class State:
 
     def copy(self) -> State:
         """Return a copy."""
-        return State(self.time, self.coordinates.copy(), self.velocities.copy(), self._layout)
+        return State(self.time, self.coordinates.copy(), self.velocities.copy(), self.angles.copy(), self._layout)
 
 
 @dataclass(frozen=True, eq=False)
@@ -276,8 +278,8 @@ class Simulation:
 
         An assigned state is projected onto the constraints, with a warning if it moves.
         """
-        time, coordinates, velocities = self._stepper.state()
-        return State(time, coordinates, velocities, self._stepper.layout())
+        time, numbers = self._stepper.state()
+        return State(time, *numbers, self._stepper.layout())
 
     @state.setter
     def state(self, state: State) -> None:
@@ -294,9 +296,11 @@ class Simulation:
     def set_state(self, state: State) -> Projection:
         """Continue from a state and return its correction by the projection onto the constraints.
 
-        Accelerations and multipliers are computed, and the energy balance begins anew. Inputs keep their values.
+        Accelerations and multipliers are computed, and the energy balance begins anew. Inputs keep their values. Angles of hinges
+        and sensors have the turns nearest to those of the state.
         """
-        numbers = [np.ascontiguousarray(one, float) for one in (state.coordinates, state.velocities)]
+        arrays = (state.coordinates, state.velocities, state.angles)
+        numbers = [np.ascontiguousarray(one, float) for one in arrays]
         return Projection(*self._stepper.set_state(state.time, *numbers))
 
     def save(self) -> bytes:

@@ -110,14 +110,10 @@ impl Stepper {
         Ok(energies)
     }
 
-    /// Returns time, coordinates and velocities.
-    #[expect(clippy::type_complexity, reason = "a tuple for the Python wrapper only")]
-    fn state<'py>(
-        &self,
-        py: Python<'py>,
-    ) -> PyResult<(f64, Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>)> {
-        let CompleteState { time, coordinates, velocities } = self.lock()?.state();
-        Ok((time, PyArray1::from_vec(py, coordinates), PyArray1::from_vec(py, velocities)))
+    /// Returns the time, and coordinates, velocities and angles.
+    fn state<'py>(&self, py: Python<'py>) -> PyResult<(f64, [Bound<'py, PyArray1<f64>>; 3])> {
+        let CompleteState { time, coordinates, velocities, angles } = self.lock()?.state();
+        Ok((time, [coordinates, velocities, angles].map(|numbers| PyArray1::from_vec(py, numbers))))
     }
 
     /// Continues from another state. Returns the largest displacement by its projection, and the relative kinetic energy of the
@@ -128,9 +124,11 @@ impl Stepper {
         time: f64,
         coordinates: PyReadonlyArray1<'_, f64>,
         velocities: PyReadonlyArray1<'_, f64>,
+        angles: PyReadonlyArray1<'_, f64>,
     ) -> PyResult<(f64, f64, f64)> {
-        let [coordinates, velocities] = [coordinates, velocities].map(|numbers| numbers.as_array().to_vec());
-        let state = CompleteState { time, coordinates, velocities };
+        let [coordinates, velocities, angles] =
+            [coordinates, velocities, angles].map(|numbers| numbers.as_array().to_vec());
+        let state = CompleteState { time, coordinates, velocities, angles };
         let mut guard = self.lock()?;
         self.signals.begin(None);
         let stepper: &mut ancf::Stepper = &mut guard;

@@ -2,6 +2,7 @@ use serde::{Deserialize, Serialize};
 
 use super::scheme::SchemeCoefficients;
 use crate::equations::{Power, State};
+use crate::vectors::{copy, for_each_chunk, sum_of_chunks};
 
 /// Damping forces of the state, from which the scheme computes their work.
 ///
@@ -57,22 +58,25 @@ impl DampingForces {
         attempt: &mut DampingAttempt,
     ) -> f64 {
         let h = now.t - before.t;
-        let mut work = 0.0;
-        for i in 0..now.v.len() {
-            let first = start.map_or_else(|| self.rescaled(i, ratio), |start| start[i]);
-            let last = scheme.auxiliary(first, self.force[i], attempt.force[i]);
-            let mean = (1.0 - scheme.gamma) * first + scheme.gamma * last;
-            work += 0.5 * h * (before.v[i] + now.v[i]) * mean;
-            attempt.auxiliary[i] = last;
-        }
-        work
+        let first = |i: usize| start.map_or_else(|| self.rescaled(i, ratio), |start| start[i]);
+        let DampingAttempt { force, auxiliary } = attempt;
+        for_each_chunk(auxiliary, |range, auxiliary| {
+            for (last, i) in auxiliary.iter_mut().zip(range) {
+                *last = scheme.auxiliary(first(i), self.force[i], force[i]);
+            }
+        });
+        let work = |i: usize| {
+            let mean = (1.0 - scheme.gamma) * first(i) + scheme.gamma * auxiliary[i];
+            0.5 * h * (before.v[i] + now.v[i]) * mean
+        };
+        sum_of_chunks(now.v.len(), |range| range.map(work).sum())
     }
 
     /// Advances to the end of an attempted step.
     pub(crate) fn accept(&mut self, attempt: &DampingAttempt) {
         let n = self.force.len();
-        self.force.copy_from_slice(&attempt.force[..n]);
-        self.auxiliary.copy_from_slice(&attempt.auxiliary);
+        copy(&attempt.force[..n], &mut self.force);
+        copy(&attempt.auxiliary, &mut self.auxiliary);
     }
 
     /// Returns true if the forces have the given number of entries and are finite.

@@ -31,7 +31,7 @@ pub struct EnergyRecord {
     /// Smallest and largest value so far.
     least: f64,
     most: f64,
-    /// Largest sum of kinetic and strain energy, and largest magnitude of an energy.
+    /// Largest sum of kinetic and strain energy, and largest magnitude of an energy and of the sum of the parts of energies.
     largest: f64,
     magnitude: f64,
     /// Sum of the magnitudes of work and dissipation.
@@ -55,15 +55,26 @@ impl EnergyGuard {
 
     /// Returns true if a step to the record `now` is permitted. `rounding` computes the energy of rounding errors.
     pub(crate) fn permits(&self, now: &EnergyRecord, rounding: impl FnOnce() -> f64) -> bool {
-        let limit = self.gain * now.reference() + ROUNDING * now.magnitude;
+        let limit = self.gain * now.reference() + now.rounding();
         now.gain() <= limit || now.gain() <= limit + rounding()
     }
 }
 
 impl EnergyRecord {
-    pub(crate) fn new(start: Energy) -> Self {
+    /// Creates the record of a start with its energies, and the sum of the magnitudes of their parts.
+    pub(crate) fn new(start: Energy, size: f64) -> Self {
         let largest = start.kinetic + start.strain.abs();
-        Self { largest, magnitude: start.largest(), delayed: largest, ..Self::default() }
+        Self { largest, magnitude: start.largest().max(size), delayed: largest, ..Self::default() }
+    }
+
+    /// Includes the sum of the magnitudes of the parts of energies, which may cancel.
+    pub(crate) fn include_size(&mut self, size: f64) {
+        self.magnitude = self.magnitude.max(size);
+    }
+
+    /// Returns the energy of rounding errors, relative to the largest energy.
+    pub fn rounding(&self) -> f64 {
+        ROUNDING * self.magnitude
     }
 
     /// Returns the exchanged energy, to which gain and loss are relative.

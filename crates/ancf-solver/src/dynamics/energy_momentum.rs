@@ -52,6 +52,10 @@ impl<E: EquationsOfMotion + ?Sized> EquationsOfMotion for StepEquations<'_, E> {
         self.eom.multipliers()
     }
 
+    fn energy_size(&self, s: &State) -> f64 {
+        self.eom.energy_size(s)
+    }
+
     fn residual(&self, s: &State, r: &mut [f64]) {
         self.with_step(s, |step| self.eom.average_residual(step, r));
     }

@@ -11,6 +11,7 @@ use super::scheme::SchemeCoefficients;
 use super::step_report::StepReport;
 use crate::equations::{ActiveGroup, Energy, EquationsOfMotion, Power, State};
 use crate::newton::NewtonCheckpoint;
+use crate::vectors::for_each_chunk;
 
 /// Integration state that each accepted step advances.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -77,7 +78,7 @@ impl IntegrationState {
             divided: None,
             predictor: Predictor::new(start.q.len() + start.lambda.len()),
             energy,
-            record: EnergyRecord::new(energy),
+            record: EnergyRecord::new(energy, eom.energy_size(&start)),
             errors: None,
             power,
             damping,
@@ -124,9 +125,13 @@ impl IntegrationState {
     /// Scales a − v̇ of the auxiliary accelerations for a step h, to which it is proportional (Brüls & Arnold 2008).
     pub(crate) fn scale_auxiliary(&self, h: f64, scaled: &mut [f64]) {
         let ratio = if self.h == 0.0 { 1.0 } else { h / self.h };
-        for ((scaled, auxiliary), a) in scaled.iter_mut().zip(&self.auxiliary).zip(&self.state.a) {
-            *scaled = a + ratio * (auxiliary - a);
-        }
+        for_each_chunk(scaled, |range, scaled| {
+            let pairs = self.auxiliary[range.clone()].iter().zip(&self.state.a[range]);
+            scaled
+                .iter_mut()
+                .zip(pairs)
+                .for_each(|(scaled, (auxiliary, a))| *scaled = a + ratio * (auxiliary - a));
+        });
     }
 
     /// Returns true if the state has the given sizes and is plausible.

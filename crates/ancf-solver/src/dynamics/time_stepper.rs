@@ -8,6 +8,7 @@ use super::step_report::StepReport;
 use crate::equations::{ActiveGroup, Energy, EquationsOfMotion, Level, Power, State};
 use crate::newton::{ActiveSet, Newton, NewtonReport, SolveError, SolveFailure};
 use crate::sparse::SparseMatrix;
+use crate::vectors::for_each_chunk;
 
 /// Time integration of the equations of motion.
 #[derive(Debug)]
@@ -101,7 +102,7 @@ impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
 
     /// Returns the energy that the integration itself made or lost since the start, and the energy of rounding errors.
     pub fn energy_record(&self) -> (EnergyRecord, f64) {
-        (self.motion.record, self.newton.rounding_energy())
+        (self.motion.record, self.newton.rounding_energy() + self.motion.record.rounding())
     }
 
     /// Restarts at a time t with the current q and v: at the start, and at jumps of loads or prescribed motions.
@@ -307,9 +308,11 @@ impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
         if let Some(angle) = self.motion.ambiguous_angle(&self.before, self.eom.counted_angles()) {
             return Err(SolveError::after(done, to, SolveFailure::AmbiguousTurns, angle));
         }
-        for i in 0..next.len() {
-            next[i] = self.scheme.auxiliary(auxiliary[i], self.before.a[i], self.motion.state.a[i]);
-        }
+        for_each_chunk(next, |range, next| {
+            for (next, i) in next.iter_mut().zip(range) {
+                *next = self.scheme.auxiliary(auxiliary[i], self.before.a[i], self.motion.state.a[i]);
+            }
+        });
         Ok(done)
     }
 
@@ -321,9 +324,14 @@ impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
             Some(_) => self.middle.exchange(&**eom, (before, &motion.state), &mut damping.force),
         };
         let energy = eom.energy(&motion.state);
-        let record = motion.record.after((motion.energy, energy), exchange);
+        let mut record = motion.record.after((motion.energy, energy), exchange);
+        let mut is_permitted = self.guard.permits(&record, || self.newton.rounding_energy());
+        if !is_permitted {
+            record.include_size(eom.energy_size(&motion.state));
+            is_permitted = self.guard.permits(&record, || 0.0);
+        }
         self.energies = EnergyAttempt { energy, power, exchange, record, ..self.energies };
-        if self.guard.permits(&record, || self.newton.rounding_energy()) {
+        if is_permitted {
             return Ok(done);
         }
         self.energies.refused = self.energies.refused.saturating_add(1);

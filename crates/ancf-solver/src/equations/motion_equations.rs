@@ -234,6 +234,10 @@ pub trait EquationsOfMotion {
     /// Returns the kinetic, strain and potential energy.
     fn energy(&self, s: &State) -> Energy;
 
+    /// Returns the sum of the magnitudes of the energies of parts of the equations, which may cancel in their sum. Its rounding error bounds
+    /// that of the energy.
+    fn energy_size(&self, s: &State) -> f64;
+
     /// Sets the damping forces F, and returns the power supplied by loads and prescribed motions.
     ///
     /// `dissipation` is the dissipated power without v·F: the power of a flow on the damping forces. The forces have

@@ -16,6 +16,7 @@ use super::term_sums::{
 };
 use super::terms::{Energy, Inadmissibility, Level, Power, State, StepStates, Term, Weights};
 use crate::sparse::{Pattern, SparseMatrix};
+use crate::vectors::for_each_chunk;
 
 impl EquationsOfMotion for System {
     fn coordinates(&self) -> usize {
@@ -64,7 +65,7 @@ impl EquationsOfMotion for System {
     fn tangent(&self, s: &State, w: Weights, k: &mut SparseMatrix) {
         k.set_inertia(w.a != 0.0);
         let values = k.values_mut();
-        values.fill(0.0);
+        for_each_chunk(values, |_, values| values.fill(0.0));
         self.by_entries.add_to(values, |batches, values, first| {
             LaneStorage::with(|LaneStorage { lanes, entries }| {
                 for &i in batches {
@@ -209,6 +210,13 @@ impl EquationsOfMotion for System {
         let mut gathered = LocalState::EMPTY;
         self.unbatched().for_each(|term| energy += term.energy(&gathered.gather(s, term.as_ref())));
         energy
+    }
+
+    fn energy_size(&self, s: &State) -> f64 {
+        let mut gathered = LocalState::EMPTY;
+        let mut of = |term: &dyn Term| term.energy(&gathered.gather(s, term)).largest();
+        let batched = self.sum(s, |batch, at| batch.energy(at).largest());
+        batched + self.unbatched().map(|term| of(term.as_ref())).sum::<f64>()
     }
 
     fn exchange(&self, s: &State, damping: &mut [f64]) -> Power {

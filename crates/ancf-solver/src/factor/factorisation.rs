@@ -7,6 +7,7 @@ use super::ldlt::Ldlt;
 use super::scaled_lu::ScaledLu;
 use super::scales::{equilibrate, match_scales};
 use crate::sparse::{Pattern, SparseMatrix};
+use crate::vectors::{copy, for_each_chunk, largest_of_chunks};
 
 /// Supernodal LDLᵀ factorisation of a symmetric indefinite matrix without pivoting, with LU as a fallback.
 ///
@@ -256,12 +257,11 @@ impl Factor {
         x: &mut [f64],
         lambda: Option<&[f64]>,
     ) -> Result<f64, SingularMatrix> {
-        for (unknown, &value) in x.iter().enumerate() {
-            self.b[self.pattern.position(unknown)] = value;
-        }
+        let Self { pattern, b, .. } = self;
+        for_each_chunk(b, |range, b| b.iter_mut().zip(range).for_each(|(b, at)| *b = x[pattern.unknown(at)]));
         let error = match self.shared.take() {
             None if self.verified && lambda.is_some() => {
-                self.x.copy_from_slice(&self.b);
+                copy(&self.b, &mut self.x);
                 self.substitute(false);
                 Ok(0.0)
             }
@@ -272,9 +272,9 @@ impl Factor {
                 error
             }
         }?;
-        for (unknown, value) in x.iter_mut().enumerate() {
-            *value = self.x[self.pattern.position(unknown)];
-        }
+        for_each_chunk(x, |range, x| {
+            x.iter_mut().zip(range).for_each(|(x, unknown)| *x = self.x[self.pattern.position(unknown)]);
+        });
         Ok(error)
     }
 
@@ -321,7 +321,7 @@ impl Factor {
 
     /// Solves for `b` into `x` with up to two steps of iterative refinement.
     fn solve_refined(&mut self, k: &SparseMatrix) -> Result<(), SingularMatrix> {
-        self.x.copy_from_slice(&self.b);
+        copy(&self.b, &mut self.x);
         self.substitute(false);
         let mut error = self.backward_error(k);
         self.verified = error <= REFINE;
@@ -350,16 +350,15 @@ impl Factor {
     /// Computes the residual r = b − K x and the backward error, which is infinite unless all numbers are finite.
     fn backward_error(&mut self, k: &SparseMatrix) -> f64 {
         let Self { ldlt, pattern, d, b, x, r, .. } = self;
-        r.copy_from_slice(b);
+        copy(b, r);
         ldlt.subtract_product(pattern.supernodes(), k.values(), x, r);
-        let (mut residual, mut size): (f64, f64) = (0.0, 0.0);
-        for i in 0..b.len() {
-            if !r[i].is_finite() {
-                return f64::INFINITY;
-            }
-            residual = residual.max(r[i].abs() * d[i]);
-            size = size.max(b[i].abs() * d[i]).max(x[i].abs() / d[i]);
+        let error = |i: usize| if r[i].is_finite() { r[i].abs() * d[i] } else { f64::INFINITY };
+        let residual = largest_of_chunks(b.len(), |range| range.map(error).fold(0.0, f64::max));
+        if residual == f64::INFINITY {
+            return residual;
         }
+        let size = |i: usize| (b[i].abs() * d[i]).max(x[i].abs() / d[i]);
+        let size = largest_of_chunks(b.len(), |range| range.map(size).fold(0.0, f64::max));
         if residual < UNDERFLOW { 0.0 } else { residual / size }
     }
 

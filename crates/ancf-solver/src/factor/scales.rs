@@ -1,6 +1,9 @@
 //! Equilibration D of a matrix K: D K D has entries of size one.
 
+use std::ops::Range;
+
 use crate::sparse::{Border, SparseMatrix};
+use crate::vectors::{for_each_chunk, largest_of_chunks};
 
 /// Computes the equilibration D: the inverse root of the diagonal. For multipliers it is the inverse of the largest
 /// scaled entry, since their diagonal is zero.
@@ -13,11 +16,14 @@ use crate::sparse::{Border, SparseMatrix};
 /// A coordinate without mass may have a diagonal close to zero, like a multiplier. Its scale is therefore limited.
 /// At the limit it matches the other coordinates in an equation that determines it.
 pub(super) fn equilibrate(k: &SparseMatrix, d: &mut [f64], [largest, bound]: [&mut [f64]; 2]) -> f64 {
-    d.iter_mut().zip(k.diagonal()).for_each(|(d, diagonal)| *d = diagonal);
-    let rounding = f64::EPSILON * d.iter().map(|d| d.abs()).fold(0.0, f64::max);
-    for d in &mut *d {
-        *d = if *d == 0.0 { 1.0 } else { 1.0 / d.abs().sqrt() };
-    }
+    for_each_chunk(d, |range, d| {
+        d.iter_mut().zip(k.diagonal_from(range.start)).for_each(|(d, diagonal)| *d = diagonal);
+    });
+    let largest_of = |range: Range<usize>| d[range].iter().map(|d| d.abs()).fold(0.0, f64::max);
+    let rounding = f64::EPSILON * largest_of_chunks(d.len(), largest_of);
+    for_each_chunk(d, |_, d| {
+        d.iter_mut().for_each(|d| *d = if *d == 0.0 { 1.0 } else { 1.0 / d.abs().sqrt() });
+    });
     let massless = k.pattern().massless();
     if !massless.is_empty() {
         massless.iter().for_each(|&at| d[at] = 0.0);

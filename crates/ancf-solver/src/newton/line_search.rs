@@ -2,6 +2,7 @@ use super::error::SolveFailure;
 use crate::equations::{EquationsOfMotion, State, Weights};
 use crate::factor::Factor;
 use crate::sparse::SparseMatrix;
+use crate::vectors::{dot, for_each_chunk};
 
 /// Solved linear system of a Newton iteration, K z = −r.
 pub(crate) struct LinearSolution<'a> {
@@ -65,9 +66,9 @@ impl LineSearch {
 
     /// Sets `part` to αz and the trial state to s + αz.
     fn try_part(&mut self, alpha: f64, z: &[f64], s: &State, w: Weights) {
-        for (part, z) in self.part.iter_mut().zip(z) {
-            *part = alpha * z;
-        }
+        for_each_chunk(&mut self.part, |range, part| {
+            part.iter_mut().zip(&z[range]).for_each(|(part, z)| *part = alpha * z);
+        });
         self.trial.copy_from(s);
         self.trial.add(&self.part, w);
     }
@@ -103,21 +104,4 @@ impl StateUpdate for LineSearch {
 fn stationary(alpha: f64, ratio: f64) -> f64 {
     let c = (ratio - 1.0 + alpha) / (alpha * alpha);
     if c < 0.25 { 2.0 / (1.0 + (1.0 - 4.0 * c).sqrt()) } else { 0.5 / c }
-}
-
-/// Returns √(x·x).
-pub(crate) fn norm(x: &[f64]) -> f64 {
-    dot(x, x).sqrt()
-}
-
-/// Returns x·y of vectors of equal length, accumulated in eight sums to avoid a dependence between additions.
-pub(crate) fn dot(x: &[f64], y: &[f64]) -> f64 {
-    debug_assert_eq!(x.len(), y.len(), "vectors of equal length");
-    let ((x, of_x), (y, of_y)) = (x.as_chunks::<8>(), y.as_chunks::<8>());
-    let mut sums = [0.0; 8];
-    for (x, y) in x.iter().zip(y) {
-        (0..8).for_each(|i| sums[i] += x[i] * y[i]);
-    }
-    let rest: f64 = of_x.iter().zip(of_y).map(|(x, y)| x * y).sum();
-    sums.iter().sum::<f64>() + rest
 }

@@ -16,7 +16,7 @@ mod tangent_usage;
 pub(crate) use active_set::ActiveSet;
 pub use error::{EquilibriumError, SolveError, SolveFailure};
 pub use interrupt::Interrupt;
-pub(crate) use line_search::{FullUpdate, LineSearch, LinearSolution, StateUpdate, dot, norm};
+pub(crate) use line_search::{FullUpdate, LineSearch, LinearSolution, StateUpdate};
 pub use newton_method::Newton;
 pub(crate) use newton_method::NewtonCheckpoint;
 pub use stopping::{NewtonReport, StopRule};

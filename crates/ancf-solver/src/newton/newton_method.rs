@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::error::{SolveError, SolveFailure};
 use super::interrupt::Interrupt;
 use super::iteration_progress::IterationProgress;
-use super::line_search::{FullUpdate, LinearSolution, StateUpdate, dot, norm};
+use super::line_search::{FullUpdate, LinearSolution, StateUpdate};
 use super::rounding_errors::Iterate;
 use super::rounding_floor::FLOOR;
 use super::stopping::{NewtonReport, StopRule};
@@ -13,6 +13,7 @@ use super::tangent::{NewtonTangent, TangentCheckpoint};
 use crate::equations::{EquationsOfMotion, State, Weights};
 use crate::factor::inertia;
 use crate::sparse::SparseMatrix;
+use crate::vectors::{dot, for_each_chunk, norm};
 
 /// Newton's method with the exact tangent of the equations of motion, with its working storage.
 ///
@@ -244,9 +245,11 @@ impl Newton {
         let n = s.q.len();
         loop {
             self.tangent.prepare(eom, s, w)?;
-            for (i, (z, r)) in self.z.iter_mut().zip(&self.r).enumerate() {
-                *z = if i < n { -r } else { -r / w.q };
-            }
+            let (of_coordinates, of_multipliers) = self.z.split_at_mut(n);
+            for_each_chunk(of_coordinates, |range, z| {
+                z.iter_mut().zip(&self.r[range]).for_each(|(z, r)| *z = -r);
+            });
+            of_multipliers.iter_mut().zip(&self.r[n..]).for_each(|(z, r)| *z = -r / w.q);
             let Self { tangent: NewtonTangent { matrix, factor, .. }, z, .. } = self;
             factor.solve_increment(matrix, z, &s.lambda).map_err(|_| SolveFailure::Singular)?;
             if !self.tangent.changes_tension(eom, s, &self.z) {

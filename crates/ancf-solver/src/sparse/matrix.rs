@@ -2,7 +2,7 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use super::pattern::Pattern;
-use super::supernodes::{QUAD, RowRun};
+use super::supernodes::{QUAD, RowRun, Supernode};
 
 /// Symmetric sparse matrix: the lower triangle in the supernodes of its pattern.
 #[derive(Clone, Debug)]
@@ -137,10 +137,19 @@ impl SparseMatrix {
 
     /// Returns the diagonal by position.
     pub(crate) fn diagonal(&self) -> impl Iterator<Item = f64> {
-        self.pattern.supernodes().list.iter().flat_map(|supernode| {
+        self.diagonal_from(0)
+    }
+
+    /// Returns the diagonal from a position on.
+    pub(crate) fn diagonal_from(&self, position: usize) -> impl Iterator<Item = f64> {
+        let list = &self.pattern.supernodes().list;
+        let first = list.partition_point(|supernode| supernode.own().end <= position);
+        let skipped = list.get(first).map_or(0, |supernode| position - supernode.own().start);
+        let of = |supernode: &Supernode| {
             let (shape, values) = (supernode.shape(), &self.values[supernode.values()]);
             (0..shape.columns).map(move |j| values[shape.at(j, j)])
-        })
+        };
+        list[first..].iter().flat_map(of).skip(skipped)
     }
 
     /// Returns the rounding error ε max |Aᵢᵢ| of the diagonal. A stiffness below it is none: that of the orientation of a rigid body

@@ -1,7 +1,8 @@
 use crate::equations::{EquationsOfMotion, State, Weights};
 use crate::factor::DETERMINED;
-use crate::newton::{LinearSolution, Newton, SolveFailure, StateUpdate, dot};
+use crate::newton::{LinearSolution, Newton, SolveFailure, StateUpdate};
 use crate::sparse::SparseMatrix;
+use crate::vectors::dot;
 
 /// Direction in the space of states and load factors, with its dual in the metric of the path.
 #[derive(Clone, Debug)]

@@ -1,6 +1,7 @@
 use super::arc_metric::solve_force;
 use crate::equations::{EquationsOfMotion, State};
-use crate::newton::{ActiveSet, Newton, norm};
+use crate::newton::{ActiveSet, Newton};
+use crate::vectors::norm;
 
 /// Maximum number of iterations for the unsymmetric part of the stiffness.
 const ITERATIONS: u32 = 30;

@@ -65,7 +65,8 @@ impl IndexedModel<'_> {
         // Points of rigid bodies and masses are linear in the coordinates.
         let marker = |point| terms.attachment(0.0, point).point.linear().clone();
         let points: Vec<Marker> = surface.centres(centre).into_iter().map(marker).collect();
-        Some(ContactGeometry::of_points(points, surface.radius, surface.size(centre)))
+        let turning = terms.attachment(0.0, Vector3::from(centre)).axes().cloned();
+        Some(ContactGeometry::of_points(points, turning, surface.radius, surface.size(centre)))
     }
 
     /// Geometry of the bodies of a contact with their numbers: lines and points, and shells.
@@ -111,6 +112,26 @@ impl IndexedModel<'_> {
         found
     }
 
+    /// Depths of bodies in obstacles in the undeformed state, relative to their radius or half thickness, with the numbers of the contact
+    /// and the body.
+    pub(crate) fn obstacle_depths(&self) -> Vec<(usize, usize, f64)> {
+        if self.contacts.iter().all(|contact| contact.with.obstacle().is_none()) {
+            return Vec::new();
+        }
+        let built = self.meshes();
+        let begin = State::rest(built.iter().map(|(_, terms)| terms.coordinates()).sum(), 0);
+        let of = |(number, contact): (usize, &Contact)| {
+            let bodies: Vec<_> = self.contact_bodies(contact, &built).into_iter().flatten().collect();
+            let (numbers, geometry): (Vec<usize>, Vec<ContactGeometry>) = bodies.into_iter().unzip();
+            let search = contact.with.obstacle().and_then(|obstacle| {
+                self.obstacle_contacts(obstacle, &built, &geometry, contact.law(self, 0.0, 1.0))
+            });
+            let depths = search.map_or_else(Vec::new, |search| search.depths(&begin));
+            numbers.into_iter().zip(depths).map(|(body, depth)| (number, body, depth)).collect::<Vec<_>>()
+        };
+        self.contacts.iter().enumerate().flat_map(of).collect()
+    }
+
     /// Contact searches of a valid model. Bodies that overlap in the initial state are excluded as joined.
     pub(crate) fn encounters(
         &self,
@@ -131,7 +152,9 @@ impl IndexedModel<'_> {
                 return Self::mutual_contacts([lines, shells], laws, begin);
             };
             let parts = [lines, shells].into_iter().zip(laws).filter(|(bodies, _)| !bodies.is_empty());
-            parts.filter_map(|(bodies, law)| self.obstacle_contacts(obstacle, built, &bodies, law)).collect()
+            let searches =
+                parts.filter_map(|(bodies, law)| self.obstacle_contacts(obstacle, built, &bodies, law));
+            searches.map(|search| Arc::new(search) as Arc<dyn ContactSearch>).collect()
         };
         self.contacts.iter().flat_map(of).collect()
     }
@@ -168,7 +191,7 @@ impl IndexedModel<'_> {
         built: &[(String, BodyTerms)],
         bodies: &[ContactGeometry],
         law: ContactLaw,
-    ) -> Option<Arc<dyn ContactSearch>> {
+    ) -> Option<ObstacleContacts> {
         let (shape, point) = (obstacle.shape(), Vector3::from(obstacle.point()));
         let axis = obstacle.axis().map_or_else(Vector3::x, |(_, axis)| axis.into());
         let place = obstacle.on().map_or_else(
@@ -179,6 +202,6 @@ impl IndexedModel<'_> {
                 held.offset(arm)
             },
         );
-        Some(Arc::new(ObstacleContacts::new(&Obstacle::new(shape, place, axis)?, bodies, law)))
+        Some(ObstacleContacts::new(&Obstacle::new(shape, place, axis)?, bodies, law))
     }
 }

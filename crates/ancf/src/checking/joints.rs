@@ -32,7 +32,7 @@ pub(crate) fn spans(model: &IndexedModel<'_>) -> Vec<Finding> {
         let drawn = joint.kind().accepts_ground_point();
         let expected = "a place on another body or a point of the ground, `{ point = [x, y, z] }`";
         match (joint.kind().spans(), b) {
-            (true, End::Ground) => Some(finding(key, "\"ground\"", expected)),
+            (true, End::Ground) if !joint.kind().may_coincide() => Some(finding(key, "\"ground\"", expected)),
             (true, b) if !joint.kind().may_coincide() => {
                 let (_, body) = body(model, a)?;
                 let there = match b {

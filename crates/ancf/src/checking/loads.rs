@@ -135,3 +135,20 @@ pub(crate) fn rotating_modes(model: &IndexedModel<'_>) -> Vec<Finding> {
     });
     undamped.into_iter().chain(unloaded).collect()
 }
+
+/// Rejects damped modes in a current about the undeformed state, which has no loads and thus no drag.
+pub(crate) fn modes_in_currents(model: &IndexedModel<'_>) -> Vec<Finding> {
+    let Analysis::Modes(modes) = &model.analysis else { return Vec::new() };
+    let flows = |load: &Load| match load {
+        Load::Fluid(fluid) => fluid.current != [0.0; 3],
+        Load::SurfaceFluid(fluid) => fluid.current != [0.0; 3],
+        _ => false,
+    };
+    if !modes.damped || modes.about != About::Reference || !loads_of(model).any(|(_, load)| flows(load)) {
+        return Vec::new();
+    }
+    let found = "damped modes in a current about the undeformed state, which has no drag";
+    let expected = "\"equilibrium\", the state in the current";
+    let rests = ["loads".into(), "analysis.damped".into()];
+    vec![finding("analysis.about".into(), found, expected).rests_on(rests)]
+}

@@ -56,6 +56,7 @@ pub(crate) fn broken_rules(model: &Model) -> Vec<Finding> {
         super::loads::gases,
         super::loads::bases,
         super::loads::rotating_modes,
+        super::loads::modes_in_currents,
         super::loads::sensors,
     ];
     let of_joints = [

@@ -2,11 +2,11 @@
 //! thick shells, numbers in mixed units.
 
 mod connections;
+mod contacts;
 mod corners;
 mod free_motion;
 mod locking;
 mod mechanism;
-mod mutual_contacts;
 mod plausibility;
 mod prestrained_modes;
 mod summary;

@@ -1,7 +1,7 @@
 use super::connections::Connections;
+use super::contacts::contact_warnings;
 use super::corners::corner_warnings;
 use super::locking::locking_warnings;
-use super::mutual_contacts::contact_warnings;
 use super::plausibility::unit_warnings;
 use super::prestrained_modes::prestrain_warning;
 use super::thick_shells::thickness_warnings;

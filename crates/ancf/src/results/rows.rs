@@ -169,6 +169,11 @@ impl Rows {
         self.angles.count(at, s, rates);
     }
 
+    /// Angles with their full turns that a state determines up to them.
+    pub(crate) fn counted_angles(&self) -> impl Iterator<Item = f64> {
+        self.angles.values()
+    }
+
     /// Sets the angles before the first state, by their columns.
     pub(crate) fn start_turns(&mut self, given: &[(String, f64)]) {
         self.angles.start(given);

@@ -107,7 +107,7 @@ pub(crate) fn energy_warnings(own: &Dynamics, dynamics: &TimeStepper<'_, System>
             100.0 * created / reference
         ));
     }
-    if lost > guard.loss * reference {
+    if lost > guard.loss * reference + rounding {
         warnings.push(format!(
             "the numerical damping of the scheme has removed {:.2} % of the exchanged energy (column `balance`): use smaller steps, \
              a scheme of second order, or a larger `spectral_radius`; `energy_guard = {{ loss = 1 }}` accepts the loss",

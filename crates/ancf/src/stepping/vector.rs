@@ -1,8 +1,9 @@
+use ancf_mechanics::functions::InputSignal;
 use ancf_solver::dynamics::{StepReport, consistent_positions};
 use ancf_solver::equations::State;
 
 use super::step_error::{StepError, argument};
-use super::stepper::Stepper;
+use super::stepper::{Setting, Stepper};
 use crate::errors::quoted;
 use crate::failure::{AlternationMonitor, RotationMonitor};
 use crate::initial::{coordinate_units, units};
@@ -21,6 +22,10 @@ pub struct CompleteState {
     pub coordinates: Vec<f64>,
     /// Velocities dq/dt.
     pub velocities: Vec<f64>,
+    /// Angles of joints and sensors that coordinates determine up to whole turns, rad, in the order of
+    /// [`Simulation::counted_angles`](crate::Simulation::counted_angles). A given state has the turns nearest to them. If there are none,
+    /// its angles are between −π and π.
+    pub angles: Vec<f64>,
 }
 
 /// Coordinates of a body or a joint in a [`CompleteState`].
@@ -86,11 +91,12 @@ impl Stepper {
             time: self.time(),
             coordinates: s.q.iter().zip(&units).map(|(q, unit)| q * unit).collect(),
             velocities: s.v.iter().zip(&units).map(|(v, unit)| v * (unit / scales.time)).collect(),
+            angles: self.rows.counted_angles().collect(),
         }
     }
 
     /// Continues from another state: positions and velocities are projected onto the constraints in the norm of the kinetic energy,
-    /// accelerations and multipliers are computed, and the energy balance begins anew. Inputs keep their values.
+    /// accelerations and multipliers are computed with the present inputs, and the energy balance begins anew. Inputs keep their values and transitions.
     ///
     /// # Errors
     /// If sizes or numbers are not valid, or if the state cannot be projected. Nothing has changed then.
@@ -112,8 +118,16 @@ impl Stepper {
         let turned = assembly.turn(&s, &consistent);
         let moved = assembly.displacement(&s, &consistent) * self.simulation.scales().length;
         let corrected = assembly.projection(&consistent).unwrap_or(0.0);
-        self.dynamics.set_state(&consistent).map_err(|error| self.failed(error))?;
-        self.begin_history();
+        let former: Vec<_> = self.simulation.inputs.iter().map(InputSignal::transition).collect();
+        self.move_inputs(s.t);
+        if let Err(error) = self.dynamics.set_state(&consistent) {
+            self.simulation.inputs.iter().zip(former).for_each(|(signal, one)| signal.set(one));
+            return Err(self.failed(error));
+        }
+        self.pending.fill(None);
+        let names = self.simulation.counted_angles().into_iter();
+        let angles: Vec<_> = names.zip(given.angles.iter().copied()).collect();
+        self.begin_history(&angles);
         Ok(Projection { moved, turned, corrected })
     }
 
@@ -130,6 +144,14 @@ impl Stepper {
                 return Err(argument(&format!("state, {what}"), x, "finite numbers"));
             }
         }
+        let count = self.rows.counted_angles().count();
+        if !(given.angles.is_empty() || given.angles.len() == count) {
+            let expected = format!("none or {count} numbers");
+            return Err(argument("state, angles", given.angles.len(), &expected));
+        }
+        if let Some(x) = given.angles.iter().find(|x| !x.is_finite()) {
+            return Err(argument("state, angles", x, "finite numbers"));
+        }
         if !(given.time.is_finite() && given.time >= 0.0) {
             return Err(argument("state, time", given.time, "a time of at least 0"));
         }
@@ -142,11 +164,22 @@ impl Stepper {
         Ok(s)
     }
 
-    /// Begins the histories of rows, monitors and events at the present state.
-    fn begin_history(&mut self) {
+    /// Continues all inputs at another time with their present values and new settings.
+    fn move_inputs(&self, to: f64) {
+        let now = self.dynamics.state().t;
+        for (signal, setting) in self.simulation.inputs.iter().zip(&self.pending) {
+            let own = signal.transition();
+            let set = setting.map(|Setting { value, duration }| own.towards(value, now, duration));
+            signal.set(set.unwrap_or(own).moved(now, to));
+        }
+    }
+
+    /// Begins the histories of rows, monitors and events at the present state, with the turns of some angles by their columns.
+    fn begin_history(&mut self, angles: &[(String, f64)]) {
         let (assembly, scaled) = (&self.simulation.assembly, &self.simulation.scaled);
         let s = self.dynamics.state();
         self.rows = Rows::new(assembly, self.simulation.scales(), TIME, &COLUMNS);
+        self.rows.start_turns(angles);
         self.rows.count_turns(s.t, s, AngleRates::Velocities);
         self.monitors.rotations = RotationMonitor::new(scaled, assembly, s.t);
         self.monitors.alternations = AlternationMonitor::new(scaled, s.a.len());

@@ -29,28 +29,28 @@ pub struct ObstacleContact {
 }
 
 /// Vectors d, x, y, z, or their velocities.
-type MarkerValues<D> = SVector<D, 12>;
+pub(super) type MarkerValues<D> = SVector<D, 12>;
 
 impl ObstacleContact {
     /// Creates the contact of a point of a body with a radius.
     ///
     /// Returns `None` if the point and the carrier of the obstacle have more than [`LOCAL`] coordinates.
     pub fn new(obstacle: &Obstacle, point: &ContactPoint, radius: f64, law: ContactLaw) -> Option<Self> {
-        let contact = Self::of_points(obstacle, std::slice::from_ref(point), radius, law);
+        let contact = Self::of_points(obstacle, (std::slice::from_ref(point), &[]), radius, law);
         (contact.coordinates.len() <= LOCAL).then_some(contact)
     }
 
-    /// Creates the contact of several points.
+    /// Creates the contact of several points. Its coordinates include those of other markers.
     pub(super) fn of_points(
         obstacle: &Obstacle,
-        points: &[ContactPoint],
+        (points, others): (&[ContactPoint], &[Marker]),
         radius: f64,
         law: ContactLaw,
     ) -> Self {
         let Obstacle { shape, centre, directions, axis } = obstacle;
         let from_centre = |point: &ContactPoint| Marker::combined([(1.0, &point.place), (-1.0, centre)]);
         let vectors: Vec<Marker> = points.iter().map(from_centre).collect();
-        let coordinates = Marker::union_coordinates(vectors.iter().chain(directions));
+        let coordinates = Marker::union_coordinates(vectors.iter().chain(directions).chain(others));
         let vectors = vectors.iter().map(|vector| vector.within(&coordinates)).zip(points);
         let points = vectors.map(|(vector, point)| point.at(vector)).collect();
         let directions = directions.each_ref().map(|direction| direction.within(&coordinates));
@@ -58,13 +58,13 @@ impl ObstacleContact {
     }
 
     /// Returns a vector with the directions of the carrier.
-    fn markers<'a>(&'a self, point: &'a ContactPoint) -> [&'a Marker; 4] {
+    pub(super) fn markers<'a>(&'a self, point: &'a ContactPoint) -> [&'a Marker; 4] {
         let [x, y, z] = &self.directions;
         [&point.place, x, y, z]
     }
 
     /// Returns the sums of the markers over a vector q or v.
-    fn sums(&self, point: &ContactPoint, of: &[f64]) -> MarkerValues<f64> {
+    pub(super) fn sums(&self, point: &ContactPoint, of: &[f64]) -> MarkerValues<f64> {
         stacked(self.markers(point).map(|marker| marker.sum(of)))
     }
 
@@ -74,7 +74,7 @@ impl ObstacleContact {
     }
 
     /// Returns the radius of the body at a point.
-    fn radius(&self, point: &ContactPoint) -> f64 {
+    pub(super) fn radius(&self, point: &ContactPoint) -> f64 {
         self.radius + point.excess
     }
 
@@ -84,7 +84,7 @@ impl ObstacleContact {
     }
 
     /// Calls `visit` with each point that touches the obstacle, and the values of its markers.
-    fn visit(&self, q: &[f64], mut visit: impl FnMut(&ContactPoint, &MarkerValues<f64>)) {
+    pub(super) fn visit(&self, q: &[f64], mut visit: impl FnMut(&ContactPoint, &MarkerValues<f64>)) {
         let value = |marker: &Marker| marker.reference() + marker.sum(q);
         let directions = self.directions.each_ref().map(value);
         let a = combine(&directions, &self.axis);
@@ -95,6 +95,19 @@ impl ObstacleContact {
                 visit(point, &stacked([d, x, y, z]));
             }
         }
+    }
+
+    /// Computes the gradient of the gap by d, given the directions of the carrier.
+    pub(super) fn normal<D: Real>(&self, d: &Vector3<D>, axes: &[Vector3<D>; 3]) -> Vector3<D> {
+        self.shape.gap(d, &combine(axes, &self.axis)).1
+    }
+
+    /// Computes the normal force of a point, given the values and the velocities of its markers.
+    pub(super) fn normal_force(&self, point: &ContactPoint, [x, v]: [&MarkerValues<f64>; 2]) -> f64 {
+        let ([d, axes @ ..], [rate, spins @ ..]) = (parts(x), parts(v));
+        let (gap, n, b) = self.shape.gap(&d, &combine(&axes, &self.axis));
+        let closing = n.dot(&rate) + b.dot(&combine(&spins, &self.axis));
+        self.law.normal(gap - self.radius(point), closing) * point.extent
     }
 
     /// Computes the generalised forces on d, x, y and z of a point.
@@ -161,12 +174,15 @@ impl ObstacleContact {
         num_dual::jacobian(forces, &MarkerValues::zeros()).1
     }
 
-    /// Returns the multiple of ε that bounds the errors of the force, and ρ and |∂g/∂a| for those on the carrier.
-    fn rounding_bound(
+    /// Returns the multiple of ε that bounds the errors of the force by a law, and ρ and |∂g/∂a| for those on the carrier.
+    ///
+    /// `other` is a multiple of ε that bounds further errors of velocities.
+    pub(super) fn rounding_bound(
         &self,
+        law: &ContactLaw,
         point: &ContactPoint,
         x: &MarkerValues<f64>,
-        at: &Local<'_>,
+        (at, other): (&Local<'_>, f64),
     ) -> (f64, [f64; 3], f64) {
         let [d, axes @ ..] = parts(x);
         let gap = self.gap(point, x);
@@ -183,14 +199,15 @@ impl ObstacleContact {
         let place = point.place.size(at.q) + d.norm() * tilt;
         let reach = components(&axes, &d);
         let [rate, spins @ ..] = parts(&self.sums(point, at.v));
-        let velocity_error = point.place.sum_of_sizes(at.v)
+        let velocity_error = other
+            + point.place.sum_of_sizes(at.v)
             + (0..3).map(|k| reach[k].abs() * self.directions[k].sum_of_sizes(at.v)).sum::<f64>()
             + spins.iter().map(|spin| spin.norm()).sum::<f64>() * place;
         let turned = tilt + place / distance;
         let (_, _, b) = self.shape.gap(&d, &combine(&axes, &self.axis));
         let speed = rate.norm() + b.norm() * combine(&spins, &self.axis).norm();
         let errors = [place + self.radius(point) + round, turned, velocity_error];
-        (self.law.rounding(gap, speed, errors) * point.extent, reach, b.norm())
+        (law.rounding(gap, speed, errors) * point.extent, reach, b.norm())
     }
 }
 
@@ -222,7 +239,7 @@ impl Term for ObstacleContact {
     /// force.
     fn rounding(&self, at: &Local<'_>, floor: &mut [f64]) {
         self.visit(at.q, |point, x| {
-            let (bound, reach, b) = self.rounding_bound(point, x, at);
+            let (bound, reach, b) = self.rounding_bound(&self.law, point, x, (at, 0.0));
             for (k, marker) in self.markers(point).into_iter().enumerate() {
                 let arm = if k == 0 { 1.0 } else { reach[k - 1].abs() + self.axis[k - 1].abs() * b };
                 for &(first, w) in marker.parts() {

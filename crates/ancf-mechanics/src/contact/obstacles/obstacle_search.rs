@@ -4,6 +4,7 @@ use std::sync::Arc;
 use ancf_solver::equations::{ContactGroup, ContactPair, ContactSearch, State, Term};
 use nalgebra::Vector3;
 
+use super::ball_contact::BallContact;
 use super::crossing::{obstacle_crossing, obstacle_passing};
 use super::obstacle::Obstacle;
 use super::obstacle_contact::ObstacleContact;
@@ -63,9 +64,23 @@ impl ObstacleContacts {
         }
     }
 
+    /// Returns the largest depth of each body in the obstacle, relative to its radius or half thickness; negative for bodies outside.
+    pub fn depths(&self, s: &State) -> Vec<f64> {
+        let mut depths = vec![f64::NEG_INFINITY; self.bodies.len()];
+        self.visit(s, |_, group, gaps| {
+            depths[group.body] = gaps.map(|gap| -gap).fold(depths[group.body], f64::max);
+        });
+        depths
+    }
+
     fn contact(&self, body: usize, points: &[ContactPoint]) -> Arc<dyn Term> {
-        let radius = self.bodies[body].radius;
-        Arc::new(ObstacleContact::of_points(&self.obstacle, points, radius, self.law))
+        let ContactGeometry { radius, turning, .. } = &self.bodies[body];
+        match turning {
+            Some(turning) if self.law.friction > 0.0 => {
+                Arc::new(BallContact::new(&self.obstacle, (points, turning), *radius, self.law))
+            }
+            _ => Arc::new(ObstacleContact::of_points(&self.obstacle, (points, &[]), *radius, self.law)),
+        }
     }
 
     /// Returns the lines of points of each body, as vectors from the obstacle over the sum of the radii.

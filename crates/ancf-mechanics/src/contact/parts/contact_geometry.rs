@@ -26,6 +26,8 @@ pub struct ContactGeometry {
     pub(in crate::contact) margin: f64,
     /// Largest relative deviation of a surface that is touched from half the thickness.
     deviation: f64,
+    /// Directions of a rigid body with balls.
+    pub(in crate::contact) turning: Option<[Marker; 3]>,
 }
 
 /// Surface of an element of a thin shell.
@@ -83,12 +85,14 @@ impl ContactGeometry {
         Self { axes, points, count, radius, margin: radius, ..Self::default() }
     }
 
-    /// Creates the balls of a rigid body about its points. They share the size of the body as the length.
-    pub fn of_points(points: Vec<Marker>, radius: f64, size: f64) -> Self {
+    /// Creates the balls of a body about its points. They share the size of the body as the length.
+    ///
+    /// `turning` are the directions of a rigid body, and `None` for a point mass, which has no rotation.
+    pub fn of_points(points: Vec<Marker>, turning: Option<[Marker; 3]>, radius: f64, size: f64) -> Self {
         let count = points.len();
         let points = points.into_iter().map(|place| ContactPoint::new(place, size / count as f64)).collect();
         let margin = radius.max(POINT_MARGIN * size);
-        Self { points, count, radius, margin, ..Self::default() }
+        Self { points, count, radius, margin, turning, ..Self::default() }
     }
 
     /// Creates the surface of a thin shell with a thickness and at least `count` points per element in each direction.

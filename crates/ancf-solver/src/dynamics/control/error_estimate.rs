@@ -4,8 +4,9 @@ use crate::dynamics::start::solve;
 use crate::dynamics::time_stepper::TimeStepper;
 use crate::equations::{EquationsOfMotion, Level, Weights};
 use crate::factor::Products;
-use crate::newton::{NewtonReport, SolveError, SolveFailure, dot};
+use crate::newton::{NewtonReport, SolveError, SolveFailure};
 use crate::sparse::SparseMatrix;
+use crate::vectors::dot;
 
 /// Error estimate of a step of a second-order scheme, as a mass-weighted root mean square displacement.
 ///

@@ -1,4 +1,5 @@
 use crate::equations::{State, Weights};
+use crate::vectors::for_each_chunk_of;
 
 /// Generalized-α scheme for index-3 equations, with Newmark and HHT as special cases.
 ///
@@ -127,13 +128,16 @@ impl SchemeCoefficients {
 
     /// Predicts the state after a step h with constant true acceleration; `auxiliary` is aₙ.
     pub fn predict(&self, s: &mut State, auxiliary: &[f64], h: f64) {
-        for (i, &a) in auxiliary.iter().enumerate() {
-            let gain = h * (s.a[i] - a) / (1.0 - self.alpha_m); // h (aₙ₊₁ − aₙ)
-            s.q[i] += h * (s.v[i] + 0.5 * h * a);
-            s.q[i] += self.beta * h * gain;
-            s.v[i] += h * a;
-            s.v[i] += self.gamma * gain;
-        }
+        for_each_chunk_of([&mut s.q, &mut s.v], |range, [q, v]| {
+            for ((q, v), i) in q.iter_mut().zip(v).zip(range) {
+                let a = auxiliary[i];
+                let gain = h * (s.a[i] - a) / (1.0 - self.alpha_m); // h (aₙ₊₁ − aₙ)
+                *q += h * (*v + 0.5 * h * a);
+                *q += self.beta * h * gain;
+                *v += h * a;
+                *v += self.gamma * gain;
+            }
+        });
         s.t += h;
     }
 

@@ -1,6 +1,8 @@
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
+use crate::vectors::{copy, for_each_chunk, for_each_chunk_of};
+
 /// State of a system at one time.
 ///
 /// The coordinates q are *measured from the reference configuration*, e = e₀ + q. Strains are computed from
@@ -42,13 +44,15 @@ impl State {
         let (dz, dlambda) = z.split_at(self.q.len());
         if w == Weights::STIFFNESS {
             // In statics the zero velocities and accelerations are not written.
-            self.q.iter_mut().zip(dz).for_each(|(q, dz)| *q += dz);
+            for_each_chunk(&mut self.q, |range, q| q.iter_mut().zip(&dz[range]).for_each(|(q, dz)| *q += dz));
         } else {
-            for (i, dz) in dz.iter().enumerate() {
-                self.q[i] += w.q * dz;
-                self.v[i] += w.v * dz;
-                self.a[i] += w.a * dz;
-            }
+            for_each_chunk_of([&mut self.q, &mut self.v, &mut self.a], |range, [q, v, a]| {
+                for ((q, dz), (v, a)) in q.iter_mut().zip(&dz[range]).zip(v.iter_mut().zip(a)) {
+                    *q += w.q * dz;
+                    *v += w.v * dz;
+                    *a += w.a * dz;
+                }
+            });
         }
         for (lambda, d) in self.lambda.iter_mut().zip(dlambda) {
             *lambda += d;
@@ -75,12 +79,12 @@ impl State {
     /// Copies a state of the same size without allocation.
     pub fn copy_from(&mut self, other: &Self) {
         self.t = other.t;
-        self.q.copy_from_slice(&other.q);
+        copy(&other.q, &mut self.q);
         self.lambda.copy_from_slice(&other.lambda);
         self.load = other.load;
         for (x, other) in [(&mut self.v, &other.v), (&mut self.a, &other.a)] {
             if !(is_zero(other) && is_zero(x)) {
-                x.copy_from_slice(other);
+                copy(other, x);
             }
         }
     }

@@ -28,7 +28,7 @@ pub struct Sensor {
     pub name: String,
     /// First end.
     pub a: Place,
-    /// Second end: a place or a point of the ground, also at a distance from `a`.
+    /// Second end: a place or a point of the ground, also at a distance from `a`, or the ground at the point of `a` (not for distances).
     pub b: End,
     /// Measured quantity: the distance of the points; or the displacement or the angle of `a` relative to `b`, zero in the
     /// undeformed state.

@@ -3,6 +3,7 @@ use ancf_solver::equations::{EquationsOfMotion, State, Weights};
 use ancf_solver::sparse::SparseMatrix;
 use nalgebra::DVector;
 
+use super::kinks::has_kink;
 use super::shapes::{DAMPED_COLUMNS, MAX_RESIDUAL};
 use crate::initial::StartState;
 use crate::model::{Model, Modes};
@@ -32,7 +33,11 @@ impl AnalysisRun<'_> {
             let found = damped_modes(system, matrix.clone(), &s, count, self.interrupt)?;
             let mut damping = matrix;
             system.tangent(&s, Weights { q: 0.0, v: 1.0, a: 0.0 }, &mut damping);
-            if !found.modes.iter().all(|mode| is_differentiable(system, &damping, &s, mode)) {
+            let is_smooth = |mode: &DampedMode| {
+                is_differentiable(system, &damping, &s, mode)
+                    && !mode.shape.iter().any(|x| has_kink(system, &s, x))
+            };
+            if !found.modes.iter().all(is_smooth) {
                 return Err(EigenError::NotDifferentiable.into());
             }
             Ok((s, found))

@@ -3,6 +3,7 @@
 mod critical;
 mod damped;
 mod finer_values;
+mod kinks;
 mod natural;
 mod shapes;
 

@@ -2,6 +2,7 @@ use ancf_solver::eigen::{ComplexMode, EigenError, Mode, SturmCount, modes, nonco
 use ancf_solver::equations::{EquationsOfMotion, State};
 use ancf_solver::newton::Interrupt;
 
+use super::kinks::has_kink;
 use super::shapes::{MAX_RESIDUAL, MODE_COLUMNS, state_about};
 use crate::assembly::Assembly;
 use crate::estimate::{DiscretisationErrors, FrequencyErrors, GIVEN_START, GapField, HalvedModel};
@@ -84,13 +85,21 @@ impl FoundModes {
         }
         if !system.skew_stiffness(s).is_empty() {
             let found = nonconservative_modes(system, matrix, s, count, interrupt)?;
-            let modes = found.into_iter().map(FoundMode::from).collect();
+            let modes: Vec<_> = found.into_iter().map(FoundMode::from).collect();
+            require_slopes(system, s, &modes)?;
             return Ok(Self { modes, rigid: 0, sturm: None, is_nonconservative: true });
         }
         let found = modes(system, matrix, s, count, interrupt)?;
-        let modes = found.modes.into_iter().map(FoundMode::from).collect();
+        let modes: Vec<_> = found.modes.into_iter().map(FoundMode::from).collect();
+        require_slopes(system, s, &modes)?;
         Ok(Self { modes, rigid: found.rigid, sturm: found.sturm, is_nonconservative: false })
     }
+}
+
+/// Rejects modes about a state in which forces have kinks along them: there is no stiffness.
+fn require_slopes(system: &dyn EquationsOfMotion, s: &State, modes: &[FoundMode]) -> Result<(), RunFailure> {
+    let is_smooth = modes.iter().all(|mode| !has_kink(system, s, &mode.shape));
+    if is_smooth { Ok(()) } else { Err(EigenError::NotDifferentiable.into()) }
 }
 
 impl AnalysisRun<'_> {

@@ -118,7 +118,7 @@ impl<'a> StepControl<'a> {
         if settings.step.fixed().is_none() {
             jumps.extend(assembly.inputs.switches(begin + duration));
         }
-        jumps.retain(|t| *t > begin + time_tolerance && *t < begin + duration - time_tolerance);
+        jumps.retain(|t| *t > begin + time_tolerance && *t < begin + duration + time_tolerance);
         jumps.sort_by(|a, b| b.total_cmp(a));
         jumps.dedup_by(|a, b| (*a - *b).abs() <= time_tolerance);
         Ok(Self {

@@ -1,6 +1,7 @@
 //! Linear models about states of a motion.
 
 mod differences;
+mod input_derivatives;
 mod linear_model;
 mod linearise;
 mod null_space;

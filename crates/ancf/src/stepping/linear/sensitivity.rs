@@ -2,6 +2,7 @@ use ancf_mechanics::functions::InputTransition;
 use ancf_solver::equations::{EquationsOfMotion, Level, State};
 use nalgebra::{DMatrix, DVector};
 
+use super::input_derivatives::input_derivatives;
 use super::tangents::{ConstrainedSolver, Linearised};
 use crate::errors::quoted;
 use crate::results::AngleRates;
@@ -9,6 +10,8 @@ use crate::simulate::COLUMNS;
 use crate::stepping::step_error::{StepError, argument};
 use crate::stepping::stepper::Stepper;
 
+/// Rounding error of a column, relative to its value.
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
 /// Columns that are no functions of the state.
 const HISTORY: [&str; 4] = ["t", "work", "dissipated", "balance"];
 
@@ -51,8 +54,13 @@ impl Stepper {
         let history = self.rows.history();
         for (j, change) in changes.iter().enumerate() {
             let column = self.column_derivatives(&of.s, change, outputs);
+            let column = column.map_err(|(input, at)| {
+                let name = self.columns.iter().find(|(_, number)| **number == outputs[at]);
+                let name = name.map_or_else(String::new, |(name, _)| quoted(name));
+                self.not_differentiable(input, &format!("the column {name}"))
+            })?;
             let to = if j < count { c.column_mut(j) } else { d.column_mut(j - count) };
-            column.into_iter().zip(to).for_each(|(value, to)| *to = value);
+            column.into_iter().zip(to).for_each(|(value, to)| *to = *value);
         }
         self.rows.restore(&history);
         self.is_row_current = false;
@@ -85,21 +93,31 @@ impl Stepper {
         directions.into_iter().map(change).collect()
     }
 
-    /// Central differences of columns along a change of the state.
-    fn column_derivatives(&mut self, s: &State, change: &Change, outputs: &[usize]) -> Vec<f64> {
-        let h = match change.input {
-            Some(_) => 1.0,
-            None => self.difference(&change.q).min(self.difference(&change.v)),
-        };
-        let [after, before] = [h, -h].map(|h| {
+    /// Derivatives of columns along a change of the state: central differences along minimal coordinates. Returns the numbers of the
+    /// input and of the column if there is none.
+    fn column_derivatives(
+        &mut self,
+        s: &State,
+        change: &Change,
+        outputs: &[usize],
+    ) -> Result<DVector<f64>, (usize, usize)> {
+        let h = self.difference(&change.q).min(self.difference(&change.v));
+        let value = change.input.map(|input| self.simulation.inputs[input].at(s.t).value);
+        let mut at = |h: f64| {
             let mut there = s.clone();
             let parts = [&mut there.q, &mut there.v, &mut there.a, &mut there.lambda];
             for (x, by) in parts.into_iter().zip([&change.q, &change.v, &change.a, &change.lambda]) {
                 x.iter_mut().zip(by.iter()).for_each(|(x, by)| *x += h * by);
             }
-            self.columns_at(&there, change.input.map(|input| (input, h)), outputs)
-        });
-        after.iter().zip(before).map(|(after, before)| (after - before) / (2.0 * h)).collect()
+            DVector::from_vec(self.columns_at(&there, change.input.map(|input| (input, h)), outputs))
+        };
+        match change.input.zip(value) {
+            Some((input, value)) => {
+                let rounding = |values: &DVector<f64>| values.map(|x| ROUNDING * x.abs());
+                input_derivatives(value, at, rounding).map_err(|column| (input, column))
+            }
+            None => Ok((at(h) - at(-h)) / (2.0 * h)),
+        }
     }
 
     /// Columns in a state with a changed input.

@@ -5,7 +5,9 @@ use ancf_solver::factor::Factor;
 use ancf_solver::newton::{SolveError, SolveFailure};
 use nalgebra::{DMatrix, DVector};
 
+use super::input_derivatives::input_derivatives;
 use super::null_space::null_space;
+use crate::errors::quoted;
 use crate::stepping::step_error::{StepError, argument};
 use crate::stepping::stepper::Stepper;
 
@@ -70,7 +72,7 @@ impl Stepper {
         let joints = &self.simulation.assembly.joints;
         let states: Vec<usize> = joints.iter().flat_map(|joint| &joint.states).copied().collect();
         let (basis, positions) = states_last(&basis, &states);
-        let forces = self.input_forces(&s);
+        let forces = self.input_forces(&s)?;
         let rates = |moved: &State| {
             let mut rates = vec![0.0; m];
             eom.constraints(moved, Level::Velocity, &mut rates);
@@ -92,22 +94,35 @@ impl Stepper {
         self.failed(SolveError::at(s.t, SolveFailure::Singular))
     }
 
-    /// Forces −∂r/∂u of the inputs, which are affine in u.
-    fn input_forces(&self, s: &State) -> DMatrix<f64> {
-        let signals = &self.simulation.inputs;
+    /// Forces −∂r/∂u of the inputs.
+    fn input_forces(&self, s: &State) -> Result<DMatrix<f64>, StepError> {
+        let (eom, signals) = (self.dynamics.equations(), &self.simulation.inputs);
+        let mut floor = vec![0.0; s.q.len() + s.lambda.len()];
+        eom.rounding(s, &mut floor);
+        floor.truncate(s.q.len());
+        let floor = DVector::from_vec(floor);
         let mut forces = DMatrix::zeros(s.q.len(), signals.len());
         for (j, signal) in signals.iter().enumerate() {
-            let own = signal.transition();
-            let (value, h) = (signal.at(s.t).value, signal.at(s.t).value.abs().max(1.0));
-            let at = |value: f64| {
-                signal.set(InputTransition { values: [value; 2], ..own });
+            let (own, value) = (signal.transition(), signal.at(s.t).value);
+            let at = |h: f64| {
+                signal.set(InputTransition { values: [value + h; 2], ..own });
                 self.forces_at(s)
             };
-            let change = (at(value - h) - at(value + h)) / (2.0 * h);
+            let change = input_derivatives(value, at, |_| floor.clone());
             signal.set(own);
-            forces.set_column(j, &change);
+            let place = |i: usize| self.simulation.assembly.name_in(i, self.simulation.scales().length);
+            let change =
+                change.map_err(|i| self.not_differentiable(j, &format!("a force at {}", place(i))))?;
+            forces.set_column(j, &-change);
         }
-        forces
+        Ok(forces)
+    }
+
+    /// Error of a quantity without a derivative by an input.
+    pub(super) fn not_differentiable(&self, input: usize, what: &str) -> StepError {
+        let name = self.inputs().nth(input).unwrap_or_default();
+        let found = format!("{what} that is not differentiable by the input {} here", quoted(name));
+        argument("linearise", found, "a value of the input away from kinks, jumps and the ends of domains")
     }
 
     /// Compares the derivatives of the forces along all free motions with finite differences.

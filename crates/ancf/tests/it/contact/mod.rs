@@ -9,6 +9,7 @@ mod forces;
 mod models;
 mod mutual_shells;
 mod overlaps;
+mod rolling;
 mod search;
 mod shells;
 mod surfaces;

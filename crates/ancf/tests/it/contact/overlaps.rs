@@ -48,6 +48,29 @@ fn crossing_cables_are_named() {
     }
 }
 
+/// Bodies that begin deep in an obstacle are named with their depth. Bodies that touch it, or are in the space of hollow obstacles, are
+/// not.
+#[test]
+fn bodies_in_obstacles_are_named() {
+    let named = |z: f64, with: &str| {
+        let bodies = cable("a", [-1.0, 0.0, z], [1.0, 0.0, z]) + &sheet("s", z);
+        let contact = format!("[[contacts]]\nwith = {with}\nstiffness = 1e4\nsurface_stiffness = 1e5\n");
+        let found = warnings(&bodies, &contact).into_iter();
+        found
+            .filter(|warning| warning.contains("begins in the obstacle of `contacts[0]`"))
+            .collect::<Vec<_>>()
+    };
+    let plane =
+        |normal: f64| format!("{{ kind = \"plane\", point = [0, 0, 0], normal = [0, 0, {normal:?}] }}");
+    let deep = named(0.2, &plane(-1.0));
+    assert!(deep.len() == 2 && deep[0].starts_with("body `a`") && deep[0].contains("500 %"), "{deep:?}");
+    let hollow = "{ kind = \"sphere\", center = [0, 0, 0], radius = 3, inside = true }";
+    for (z, with) in [(0.2, plane(1.0).as_str()), (0.0497, &plane(1.0)), (0.0, hollow)] {
+        assert!(named(z, with).is_empty(), "{:?}", named(z, with));
+    }
+    assert_eq!(named(0.04, &plane(1.0)).len(), 2);
+}
+
 /// Shells of both kinds and cables on them, in any order. Four pairs are counted.
 #[test]
 fn shells_that_overlap_are_named() {

@@ -133,3 +133,23 @@ fn sentence_of_a_run() {
     let [value, expected] = of(&bent(""), &error.column);
     assert_eq!((error.value, error.error), (value, expected));
 }
+
+/// Beams with a prescribed strain are stiffer by (1 + ε⁰)²: an error of the section law, which the mesh does not have. The error of the
+/// mesh is that of a fine mesh.
+#[test]
+fn prescribed_strains_are_errors_of_the_law() {
+    let found = |body: &str, elements: u32| {
+        let loads = r#"loads = [{ kind = "prestrain", body = "b", strain = 0.02 }]"#;
+        errors(&beam(body, elements, &format!("gravity = [0, -9.81, 0]\n{CLAMPED}\n{loads}")))
+    };
+    for body in &BODIES[..4] {
+        let [coarse, fine] = [4, 32].map(|elements| found(body, elements));
+        assert!((fine.law - 0.0404).abs() < 5e-3, "{body}: {}", fine.law);
+        let [[coarse, error], [fine, rest]] = [&coarse, &fine].map(|errors| of(errors, "tip.y"));
+        assert!(rest.abs() < 3e-5 * fine.abs(), "{body}: {rest} of {fine}");
+        assert!(
+            (coarse + error - fine).abs() < 0.2 * (coarse - fine).abs().max(1e-4 * fine.abs()),
+            "{body}: {coarse} + {error}, {fine}"
+        );
+    }
+}

@@ -1,6 +1,7 @@
 //! Loads and functions of time.
 
 mod base_rotation;
+mod ends_of_motions;
 mod fluid;
 mod functions;
 mod gases;

@@ -62,6 +62,67 @@ fn given_states_are_projected() {
     }
 }
 
+/// A state keeps the full turns of the angles of hinges and sensors, also after other states. Without them, angles are within a turn.
+#[test]
+fn states_keep_full_turns() {
+    let text = r#"
+        bodies = [{ kind = "rigid", name = "b", center = [0.1, 0, 0], mass = 1, inertia = [0.1, 0.1, 0.1], motion = { spin = [0, 0, 40], about = [0, 0, 0] } }]
+        joints = [{ kind = "revolute", name = "h", a = { body = "b", at = [0, 0, 0] }, axis = [0, 0, 1] }]
+        analysis = { kind = "dynamics", duration = 1, step = 1e-3 }
+    "#;
+    let mut stepper = Stepper::new(&parse(text)).unwrap();
+    let start = stepper.state();
+    stepper.advance(0.4).unwrap();
+    let (turned, angle) = (stepper.state(), stepper.read("h.angle").unwrap());
+    assert!((angle - 16.0).abs() < 0.01 && turned.angles == [angle], "{angle}");
+    for (state, expected) in [(&turned, angle), (&start, 0.0), (&turned, angle)] {
+        stepper.set_state(state).unwrap();
+        assert!((stepper.read("h.angle").unwrap() - expected).abs() < 1e-9);
+    }
+    stepper.set_state(&CompleteState { angles: Vec::new(), ..turned.clone() }).unwrap();
+    assert!((stepper.read("h.angle").unwrap() - (angle - 6.0 * std::f64::consts::PI)).abs() < 1e-9);
+    let wrong = CompleteState { angles: vec![0.0, 1.0], ..turned };
+    assert!(stepper.set_state(&wrong).unwrap_err().to_string().contains("angles"));
+}
+
+/// Inputs keep their values in a state of an earlier time, also those that were set last, and transitions continue. Accelerations have
+/// these values.
+#[test]
+fn inputs_keep_their_values_in_states() {
+    let text = r#"
+        inputs = [{ name = "u", value = 1 }]
+        bodies = [{ kind = "mass", name = "b", center = [0, 0, 0], mass = 2 }]
+        loads = [{ kind = "force", on = { body = "b", at = "center" }, force = [1, 0, 0], time = { kind = "input", name = "u" } }]
+        probes = [{ name = "p", on = { body = "b", at = "center" } }]
+        analysis = { kind = "dynamics", duration = 1, step = 1e-3 }
+    "#;
+    let mut stepper = Stepper::new(&parse(text)).unwrap();
+    let start = stepper.state();
+    let acceleration = |stepper: &mut Stepper| stepper.read("p.ax").unwrap();
+    stepper.advance(0.1).unwrap();
+    stepper.set("u", 5.0).unwrap();
+    stepper.advance(0.2).unwrap();
+    stepper.set_state(&start).unwrap();
+    assert_eq!((stepper.input("u").unwrap(), acceleration(&mut stepper)), (5.0, 2.5));
+    stepper.advance(0.05).unwrap();
+    assert_eq!(acceleration(&mut stepper), 2.5);
+    stepper.set("u", 3.0).unwrap();
+    stepper.set_state(&start).unwrap();
+    assert_eq!((stepper.input("u").unwrap(), acceleration(&mut stepper)), (3.0, 1.5));
+    stepper.advance(0.5).unwrap();
+    stepper.set_within("u", 1.0, 0.4).unwrap();
+    stepper.advance(0.6).unwrap();
+    stepper.set_state(&start).unwrap();
+    for (t, u) in [(0.0, 2.5), (0.1, 2.0), (0.3, 1.0), (0.5, 1.0)] {
+        stepper.advance(t).unwrap();
+        assert!(
+            (stepper.input("u").unwrap() - u).abs() < 1e-9
+                && (acceleration(&mut stepper) - 0.5 * u).abs() < 1e-9,
+            "{t}"
+        );
+    }
+}
+
 #[test]
 fn invalid_states_change_nothing() {
     let mut stepper = Stepper::new(&parse(&pendulum(""))).unwrap();

@@ -2,8 +2,8 @@
 
 use ancf::mechanics::bodies::BeamMesh;
 use ancf::mechanics::contact::{
-    BeamContact, ContactGeometry, ContactLaw, ContactPoint, FaceContact, Obstacle, ObstacleContact,
-    ObstacleShape, ThinContact,
+    BallContact, BeamContact, ContactGeometry, ContactLaw, ContactPoint, FaceContact, Obstacle,
+    ObstacleContact, ObstacleShape, ThinContact,
 };
 use ancf::mechanics::kinematics::Attachment;
 use ancf::mechanics::shells::{
@@ -163,6 +163,16 @@ pub(super) fn contacts(a: &BeamMesh, b: &BeamMesh, s: f64) -> Vec<(String, Box<d
                     ObstacleContact::new(&obstacle, &ContactPoint::new(point.clone(), 0.02), 0.3, law)
                         .unwrap();
                 cases.push((format!("contact: {form:?} on {carrier}, {what}"), Box::new(contact), loss));
+                if loss == Loss::Friction {
+                    let own = a.attachment(s);
+                    let (ball, turning) = (ContactPoint::new(point.clone(), 0.02), own.axes().unwrap());
+                    let contact = BallContact::new(&obstacle, (&[ball], turning), 0.3, law);
+                    cases.push((
+                        format!("contact: {form:?} on {carrier}, ball, {what}"),
+                        Box::new(contact),
+                        loss,
+                    ));
+                }
             }
         }
         let contact_point = ContactPoint::new(point.clone(), 0.02);

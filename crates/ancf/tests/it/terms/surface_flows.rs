@@ -10,6 +10,7 @@ use ancf::solver::equations::{Term, Weights};
 use nalgebra::{DMatrix, Vector3};
 
 use super::cases::TermCase;
+use super::immersed::immersed_terms;
 use super::kind::TermKind;
 use super::{shear_shells, shells};
 use crate::common::random::Random;
@@ -69,13 +70,18 @@ pub(super) fn surface_flow_terms() -> impl Iterator<Item = TermCase> {
 #[test]
 fn skew_parts_complete_the_derivatives() {
     let mut random = Random(5);
-    for (name, term, _) in loads() {
-        let (n, _) = sizes(&term);
-        let mut s = Sample::random(&term, &mut random);
+    let surfaces = loads().into_iter().map(|(name, term, _)| (name, Box::new(term) as Box<dyn Term>));
+    let gravity = Vector3::new(0.3, -0.4, -9.0);
+    let lines =
+        immersed_terms(gravity).into_iter().map(|(name, term, _)| (name, Box::new(term) as Box<dyn Term>));
+    for (name, term) in surfaces.chain(lines) {
+        let term = &*term;
+        let (n, _) = sizes(term);
+        let mut s = Sample::random(term, &mut random);
         s.q *= 0.1;
         let at = s.local();
         for w in [Weights::STIFFNESS, Weights { q: 0.0, v: 1.0, a: 0.0 }] {
-            let mut complete = tangent(&term, &s, w);
+            let mut complete = tangent(term, &s, w);
             let mut add = |i: usize, j: usize, value: f64| {
                 complete[(i, j)] += value;
                 complete[(j, i)] -= value;
@@ -88,7 +94,7 @@ fn skew_parts_complete_the_derivatives() {
             let column = |j: usize| {
                 let mut z = nalgebra::DVector::zeros(n);
                 z[j] = 1.0;
-                (residual(&term, &s.moved(&z, 1e-5, w)) - residual(&term, &s.moved(&z, -1e-5, w))) / 2e-5
+                (residual(term, &s.moved(&z, 1e-5, w)) - residual(term, &s.moved(&z, -1e-5, w))) / 2e-5
             };
             let exact = DMatrix::from_columns(&(0..n).map(column).collect::<Vec<_>>());
             let error = (&complete - &exact).amax() / exact.amax().max(1.0);

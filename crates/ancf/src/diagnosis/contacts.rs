@@ -1,4 +1,4 @@
-//! Overlaps of bodies that should touch each other, and thicknesses that their elements do not resolve.
+//! Overlaps of bodies that should touch each other or obstacles, and thicknesses that their elements do not resolve.
 
 use std::collections::BTreeSet;
 
@@ -10,6 +10,8 @@ use crate::model::{IndexedModel, Model};
 /// Largest number of pairs in a warning.
 const PAIRS: usize = 3;
 
+/// Depth in an obstacle, relative to the radius or half thickness of the body, above which a warning is given.
+const DEPTH: f64 = 0.1;
 /// Relative deviation of a surface from half the thickness above which a warning is given.
 const DEVIATION: f64 = 0.05;
 
@@ -24,7 +26,24 @@ pub(super) fn contact_warnings(model: &Model) -> Vec<String> {
             if *deviation > 1.0 { "more than 100 %".to_owned() } else { percentage(*deviation) }
         )
     });
-    coarse.chain(overlap_warning(model, overlapping)).collect()
+    coarse.chain(overlap_warning(model, overlapping)).chain(depth_warnings(model)).collect()
+}
+
+/// Warnings of bodies that begin deep in an obstacle, whose contact throws them out.
+fn depth_warnings(model: &Model) -> Vec<String> {
+    if model.starts_from().is_some() {
+        return Vec::new();
+    }
+    let deep = IndexedModel::new(model).obstacle_depths().into_iter().filter(|(.., depth)| *depth > DEPTH);
+    let warning = |(contact, body, depth): (usize, usize, f64)| {
+        format!(
+            "body `{}` begins in the obstacle of `contacts[{contact}]`, at a depth of {} of its radius or half thickness: the contact \
+             throws it out; move the body or the obstacle, turn `normal`, or omit the body in `bodies`",
+            model.bodies[body].name(),
+            percentage(depth)
+        )
+    };
+    deep.map(warning).collect()
 }
 
 /// Warning of bodies in contact that overlap in the undeformed state, so that parts of them do not touch.

@@ -133,39 +133,12 @@ impl<const N: usize, const A: usize, const B: usize, C: LaneNumber> BatchKernel 
 
     #[inline(always)]
     fn set_tangent<S: Simd>(&self, pass: Pass<S>, at: &LocalLanes<'_>, w: Weights, k: &mut [Lanes]) {
-        let law = &*self.law;
-        let mut blocks = VectorBlocks::<S, A, B>::zero(pass);
-        // Viscosity adds τ D to the stiffness by v. The other terms are omitted, see `BeamStation::stiffness`.
-        let squares = w.q + w.v * law.retardation;
-        if w.q != 0.0 || (w.v != 0.0 && law.is_viscous()) {
-            let (q, v) = (RelativeLanes::of(pass, &law.layout, at.q), self.moving(pass, at));
-            let mut section = SectionLanes::new(pass);
-            // The storage of the triangle contains H until the triangle is written.
-            let (h, _) = k.as_chunks_mut();
-            for (s, station) in law.stations.iter().enumerate() {
-                let BatchStation { weight, mix, plan, elasticity, viscosity } = station;
-                self.deform(pass, s, &q, &mut section);
-                station.resultants(pass, v.as_ref(), law.retardation, weight * w.q, &mut section);
-                plan.stiffness(pass, elasticity, &mut section, weight * squares, h);
-                blocks.add(pass, mix, h, plan.reach);
-                if let Some(viscosity) = viscosity {
-                    section.n.fill(pass.zero());
-                    plan.stiffness(pass, viscosity, &mut section, weight * w.v, h);
-                    blocks.add(pass, mix, h, plan.reach);
-                }
-            }
-        }
-        blocks.write::<N>(pass, &law.layout, k);
-        let inertia = w.a + law.mass_damping * w.v;
-        if inertia != 0.0 {
-            let inertia = pass.splat(inertia);
-            for (a, b, mass) in &law.mass {
-                for axis in 0..3 {
-                    let entry = &mut k[lower(3 * N, 3 * a + axis, 3 * b + axis)];
-                    pass.store(entry, mass.lane(pass).mul_add(inertia, pass.load(entry)));
-                }
-            }
-        }
+        self.set_stiffness(pass, at, None, w, k);
+    }
+
+    #[inline(always)]
+    fn set_predicted<S: Simd>(&self, pass: Pass<S>, at: &LocalLanes<'_>, from: &[Lanes], k: &mut [Lanes]) {
+        self.set_stiffness(pass, at, Some(from), Weights::STIFFNESS, k);
     }
 
     #[inline(always)]
@@ -211,6 +184,56 @@ impl<const N: usize, const A: usize, const B: usize, C: LaneNumber> BatchKernel 
 }
 
 impl<const N: usize, const A: usize, const B: usize, C: LaneNumber> BeamBatch<N, A, B, C> {
+    /// Sets tangents. With the coordinates `from` the stresses are those that a linear system there predicts: without the part that is of
+    /// second order in the increment.
+    #[inline(always)]
+    fn set_stiffness<S: Simd>(
+        &self,
+        pass: Pass<S>,
+        at: &LocalLanes<'_>,
+        from: Option<&[Lanes]>,
+        w: Weights,
+        k: &mut [Lanes],
+    ) {
+        let law = &*self.law;
+        let mut blocks = VectorBlocks::<S, A, B>::zero(pass);
+        // Viscosity adds τ D to the stiffness by v. The other terms are omitted, see `BeamStation::stiffness`.
+        let squares = w.q + w.v * law.retardation;
+        if w.q != 0.0 || (w.v != 0.0 && law.is_viscous()) {
+            let (q, v) = (RelativeLanes::of(pass, &law.layout, at.q), self.moving(pass, at));
+            let mut section = SectionLanes::new(pass);
+            let change = from.map(|from| q.minus(&RelativeLanes::of(pass, &law.layout, from)));
+            // The storage of the triangle contains H until the triangle is written.
+            let (h, _) = k.as_chunks_mut();
+            for (s, station) in law.stations.iter().enumerate() {
+                let BatchStation { weight, mix, plan, elasticity, viscosity } = station;
+                self.deform(pass, s, &q, &mut section);
+                station.resultants(pass, v.as_ref(), law.retardation, weight * w.q, &mut section);
+                if let Some(change) = &change {
+                    station.subtract_second_order(pass, change, &mut section);
+                }
+                plan.stiffness(pass, elasticity, &mut section, weight * squares, h);
+                blocks.add(pass, mix, h, plan.reach);
+                if let Some(viscosity) = viscosity {
+                    section.n.fill(pass.zero());
+                    plan.stiffness(pass, viscosity, &mut section, weight * w.v, h);
+                    blocks.add(pass, mix, h, plan.reach);
+                }
+            }
+        }
+        blocks.write::<N>(pass, &law.layout, k);
+        let inertia = w.a + law.mass_damping * w.v;
+        if inertia != 0.0 {
+            let inertia = pass.splat(inertia);
+            for (a, b, mass) in &law.mass {
+                for axis in 0..3 {
+                    let entry = &mut k[lower(3 * N, 3 * a + axis, 3 * b + axis)];
+                    pass.store(entry, mass.lane(pass).mul_add(inertia, pass.load(entry)));
+                }
+            }
+        }
+    }
+
     /// Returns the velocities of the vectors if the elements have viscosity.
     #[inline(always)]
     fn moving<S: Simd>(&self, pass: Pass<S>, at: &LocalLanes<'_>) -> Option<RelativeLanes<S, A, B>> {
@@ -219,6 +242,24 @@ impl<const N: usize, const A: usize, const B: usize, C: LaneNumber> BeamBatch<N,
 }
 
 impl<const A: usize, const B: usize, C: LaneNumber> BatchStation<A, B, C> {
+    /// Subtracts the stress resultants of the strains that are of second order in an increment of the vectors.
+    #[inline(always)]
+    fn subtract_second_order<S: Simd>(
+        &self,
+        pass: Pass<S>,
+        change: &RelativeLanes<S, A, B>,
+        section: &mut SectionLanes<S>,
+    ) {
+        let SectionLanes { scratch: half, strains, n, .. } = section;
+        let increment = self.mix.directors(pass, change, self.plan.reach);
+        *half = increment;
+        half.iter_mut().for_each(|half| *half = scaled(*half, pass.splat(0.5)));
+        self.plan.strains(pass, [half, &increment], false, strains);
+        let mut excess = [pass.zero(); STRAINS];
+        self.plan.resultants(pass, &self.elasticity, strains, -self.weight, &mut excess);
+        n.iter_mut().zip(excess).for_each(|(n, excess)| *n = *n + excess);
+    }
+
     /// Computes the stress resultants of strains, and of their rates if velocities are given, times a factor.
     #[inline(always)]
     fn resultants<S: Simd>(

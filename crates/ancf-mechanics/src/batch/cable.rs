@@ -193,7 +193,9 @@ impl BatchKernel for CableBatch {
         let CableDamping { stretch, bending, .. } = profile.damping();
         if w.q != 0.0 || w.v * (stretch + bending) != 0.0 {
             for station in profile.axial() {
-                self.add_axial(pass, station, [&q, &v], w, &mut blocks);
+                let stretch = self.stretch(pass, station, &q);
+                let strain = self.retarded_strain(pass, station, &stretch, &v);
+                self.add_axial(pass, station, (&stretch, strain), w, &mut blocks);
             }
             for station in profile.bending() {
                 self.add_bending(pass, station, [&q, &v], w, &mut blocks);
@@ -210,6 +212,25 @@ impl BatchKernel for CableBatch {
                 }
             }
         }
+    }
+
+    /// The axial force alone is predicted, as by the element.
+    #[inline(always)]
+    fn set_predicted<S: Simd>(&self, pass: Pass<S>, at: &LocalLanes<'_>, from: &[Lanes], k: &mut [Lanes]) {
+        let (q, v, before) = (line(pass, at.q), line(pass, at.v), line(pass, from));
+        let mut change = q;
+        change.iter_mut().zip(before).for_each(|(q, before)| *q = minus(*q, before));
+        let mut blocks = VectorBlocks::<S, 3, 0>::zero(pass);
+        for station in self.profile.axial() {
+            let (now, start) = (self.stretch(pass, station, &q), self.stretch(pass, station, &before));
+            let predicted = start.strain + dot(start.tangent, mixed(pass, &change, &station.first));
+            let rate = self.retarded_strain(pass, station, &now, &v) - now.strain;
+            self.add_axial(pass, station, (&now, predicted + rate), Weights::STIFFNESS, &mut blocks);
+        }
+        for station in self.profile.bending() {
+            self.add_bending(pass, station, [&q, &v], Weights::STIFFNESS, &mut blocks);
+        }
+        blocks.write::<4>(pass, &LINE, k);
     }
 
     #[inline(always)]
@@ -253,19 +274,18 @@ impl BatchKernel for CableBatch {
 }
 
 impl CableBatch {
-    /// Adds (c − n/|a|) t tᵀ + n/|a| I for the stiffness c and the force n.
+    /// Adds (c − n/|a|) t tᵀ + n/|a| I for the stiffness c and the force n of a strain.
     #[inline(always)]
     fn add_axial<S: Simd>(
         &self,
         pass: Pass<S>,
         station: &CableStation,
-        [q, v]: [&Line<S>; 2],
+        (stretch, strain): (&StretchLanes<S>, Lane<S>),
         w: Weights,
         blocks: &mut VectorBlocks<S, 3, 0>,
     ) {
         let (rigidity, tau) = (self.profile.section().axial * station.weight, self.profile.damping().stretch);
-        let stretch = self.stretch(pass, station, q);
-        let n = self.retarded_strain(pass, station, &stretch, v) * pass.splat(rigidity * w.q);
+        let n = strain * pass.splat(rigidity * w.q);
         let n = n * stretch.shortness;
         let c = pass.splat(rigidity * (w.q + w.v * tau)) - n;
         let t = stretch.tangent;

@@ -24,6 +24,12 @@ pub(crate) trait BatchKernel: Send + Sync {
 
     fn set_tangent<S: Simd>(&self, pass: Pass<S>, at: &LocalLanes<'_>, w: Weights, k: &mut [Lanes]);
 
+    /// Sets the stiffness with predicted stresses ([`Batch::predicted_stiffness`]).
+    #[inline(always)]
+    fn set_predicted<S: Simd>(&self, pass: Pass<S>, at: &LocalLanes<'_>, _from: &[Lanes], k: &mut [Lanes]) {
+        self.set_tangent(pass, at, Weights::STIFFNESS, k);
+    }
+
     /// Adds the constraints of terms with multipliers.
     fn add_constraints<S: Simd>(&self, _: Pass<S>, _: &LocalLanes<'_>, _: Level, _: &mut [Lanes]) {}
 
@@ -48,6 +54,10 @@ impl<K: BatchKernel> Batch for KernelBatch<K> {
 
     fn tangent(&self, at: &LocalLanes<'_>, w: Weights, k: &mut [Lanes]) {
         run(self.0.count(), TangentJob { kernel: &self.0, at, w, k });
+    }
+
+    fn predicted_stiffness(&self, at: &LocalLanes<'_>, from: &[Lanes], k: &mut [Lanes]) {
+        run(self.0.count(), PredictedJob { kernel: &self.0, at, from, k });
     }
 
     fn entries(&self) -> Option<&[[u8; 2]]> {
@@ -122,6 +132,20 @@ impl<K: BatchKernel> PassJob for TangentJob<'_, K> {
     #[inline(always)]
     fn run<S: Simd>(&mut self, pass: Pass<S>) {
         self.kernel.set_tangent(pass, self.at, self.w, self.k);
+    }
+}
+
+struct PredictedJob<'a, K> {
+    kernel: &'a K,
+    at: &'a LocalLanes<'a>,
+    from: &'a [Lanes],
+    k: &'a mut [Lanes],
+}
+
+impl<K: BatchKernel> PassJob for PredictedJob<'_, K> {
+    #[inline(always)]
+    fn run<S: Simd>(&mut self, pass: Pass<S>) {
+        self.kernel.set_predicted(pass, self.at, self.from, self.k);
     }
 }
 

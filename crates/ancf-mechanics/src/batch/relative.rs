@@ -80,6 +80,18 @@ impl<S: Simd, const A: usize, const B: usize> RelativeLanes<S, A, B> {
         Self { axis, y: differences(pass, x, &layout.y), z: differences(pass, x, &layout.z) }
     }
 
+    /// Returns the difference from other vectors.
+    #[inline(always)]
+    pub fn minus(mut self, other: &Self) -> Self {
+        let subtract = |own: &mut [VectorLanes<S>], other: &[VectorLanes<S>]| {
+            own.iter_mut().zip(other).for_each(|(own, other)| *own = minus(*own, *other));
+        };
+        subtract(&mut self.axis, &other.axis);
+        subtract(&mut self.y, &other.y);
+        subtract(&mut self.z, &other.z);
+        self
+    }
+
     /// Adds forces on the relative vectors to the forces on the vectors of the element.
     #[inline(always)]
     pub fn add_to<const N: usize>(&self, layout: &VectorLayout<A, B>, force: &mut [VectorLanes<S>; N]) {

@@ -2,7 +2,7 @@ use ancf_solver::equations::{
     Energy, Inadmissibility, LOCAL, Local, LocalMatrix, LocalStep, State, Term, Weights, correct_work,
     middle_residual,
 };
-use nalgebra::{Matrix6, Vector6};
+use nalgebra::{Matrix6, Vector3, Vector6};
 
 use super::angle_ratio::ratio;
 use crate::constraints::{BilinearMeasure, Wrench, add_outer};
@@ -322,6 +322,17 @@ impl Term for MatrixBushing {
     fn inadmissibility(&self, at: &Local<'_>) -> Option<Inadmissibility> {
         let is_admissible = 2.0 + self.measures[COSINE].change(at.q) > HALF_TURN;
         (!is_admissible).then_some(Inadmissibility::HalfTurn)
+    }
+
+    fn has_half_turn(&self) -> bool {
+        true
+    }
+
+    fn passes_half_turn(&self, from: &Local<'_>, to: &Local<'_>) -> bool {
+        let [from, to] = [from, to].map(|at| Self::products(&self.measures, at.q));
+        let sine = |products: &Products| Vector3::from_column_slice(&products[COSINE + 1..]);
+        // The first product is C − 1.
+        from[COSINE].max(to[COSINE]) < -1.0 && sine(&from).dot(&sine(&to)) < 0.0
     }
 
     fn energy(&self, at: &Local<'_>) -> Energy {

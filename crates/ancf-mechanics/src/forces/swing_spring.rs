@@ -237,6 +237,17 @@ impl Term for SwingSpring {
         (!is_admissible).then_some(Inadmissibility::HalfTurn)
     }
 
+    fn has_half_turn(&self) -> bool {
+        true
+    }
+
+    fn passes_half_turn(&self, from: &Local<'_>, to: &Local<'_>) -> bool {
+        // Changes of x·e, x·u and x·v, which are 1, 0 and 0 in the reference state.
+        let [[c, u, v], [next, next_u, next_v]] =
+            [from, to].map(|at| self.measures.each_ref().map(|measure| measure.change(at.q)));
+        c.max(next) < -1.0 && u * next_u + v * next_v < 0.0
+    }
+
     fn energy(&self, at: &Local<'_>) -> Energy {
         let components = self.now(at);
         let strain = (0..2).map(|k| 0.5 * self.stiffness[k] * components[k].value.powi(2)).sum();

@@ -34,6 +34,9 @@ pub struct ContactLaw {
     pub slip_speed: f64,
 }
 
+/// Multiple of the rounding errors of energies and gaps below which the work of a step is that of the force in its middle.
+const DISCRETE_ROUNDING: f64 = 8.0;
+
 impl ContactLaw {
     /// Returns the potential U at a gap.
     pub fn energy(&self, gap: f64) -> f64 {
@@ -59,14 +62,19 @@ impl ContactLaw {
         }
     }
 
-    /// Returns the normal force −ΔU/Δg of a step between two energies, for a change of the gap along the normal of its middle.
+    /// Returns the excess of the normal force −ΔU/Δg of a step between two energies over that of its middle, for a change of the gap
+    /// along the normal of the middle.
     ///
-    /// `forces` are the forces at the start, in the middle and at the end. The result is at most twice the largest one.
-    /// The limit applies to grazing motion only, where the direction of the normal changes more than the gap.
-    pub(crate) fn discrete_force([before, now]: [f64; 2], moved: f64, forces: [f64; 3]) -> f64 {
+    /// `forces` are the forces at the start, in the middle and at the end. The normal force is at most twice the largest one.
+    /// The limit applies to grazing motion only, where the direction of the normal changes more than the gap. The excess is zero if its
+    /// work is a rounding error, as at rest; `size` are the lengths whose rounding errors the gap has.
+    pub(crate) fn discrete_excess([before, now]: [f64; 2], moved: f64, forces: [f64; 3], size: f64) -> f64 {
         let largest = forces.into_iter().fold(0.0, f64::max);
-        let force = (before - now) / moved;
-        if force.is_finite() { force.clamp(0.0, 2.0 * largest) } else { forces[1] }
+        let work = (before - now) - forces[1] * moved;
+        if work.abs() <= DISCRETE_ROUNDING * f64::EPSILON * (before + now + largest * size) {
+            return 0.0;
+        }
+        ((before - now) / moved).clamp(0.0, 2.0 * largest) - forces[1]
     }
 
     /// Returns dp/d(depth), at most k.

@@ -5,7 +5,7 @@ use super::integration_state::{DividedStep, IntegrationState};
 use super::scheme::SchemeCoefficients;
 use super::start::{Projected, StartValues, accelerations, project, start_values};
 use super::step_report::StepReport;
-use crate::equations::{ActiveGroup, Energy, EquationsOfMotion, Level, Power, State};
+use crate::equations::{ActiveGroup, Energy, EquationsOfMotion, Inadmissibility, Level, Power, State};
 use crate::newton::{ActiveSet, Newton, NewtonReport, SolveError, SolveFailure};
 use crate::sparse::SparseMatrix;
 use crate::vectors::for_each_chunk;
@@ -302,7 +302,9 @@ impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
             }
         };
         let [auxiliary, next] = &mut self.attempted;
-        if let Some((worst, reason)) = self.eom.inadmissible(&self.motion.state) {
+        let half_turn =
+            || Some((self.eom.half_turn(&self.before, &self.motion.state)?, Inadmissibility::HalfTurn));
+        if let Some((worst, reason)) = self.eom.inadmissible(&self.motion.state).or_else(half_turn) {
             return Err(SolveError::after(done, to, SolveFailure::Inadmissible(reason), worst));
         }
         if let Some(angle) = self.motion.ambiguous_angle(&self.before, self.eom.counted_angles()) {

@@ -54,6 +54,12 @@ pub trait Batch: Send + Sync {
     /// Entry (i, j), i ≥ j, of a lower triangle of n rows has the index j n − j (j + 1)/2 + i.
     fn tangent(&self, at: &LocalLanes<'_>, w: Weights, k: &mut [Lanes]);
 
+    /// Sets the stiffness of the terms with the stresses that a linear system at the coordinates `from` predicts, as
+    /// [`tangent`](Self::tangent) with [`Term::stress_prediction`]. By default the terms have none.
+    fn predicted_stiffness(&self, at: &LocalLanes<'_>, _from: &[Lanes], k: &mut [Lanes]) {
+        self.tangent(at, Weights::STIFFNESS, k);
+    }
+
     /// Adds the constraints of the terms at a level, one row for each multiplier
     /// ([`Term::constraints`](super::terms::Term::constraints)).
     fn constraints(&self, _at: &LocalLanes<'_>, _level: Level, _phi: &mut [Lanes]) {}
@@ -203,6 +209,18 @@ impl GatheredLanes {
     const EMPTY: Self =
         Self { q: Self::NONE, v: Self::NONE, a: Self::NONE, lambda: Self::NONE, rows: Self::NONE };
 
+    /// Gathers a state and the coordinates of another one, in the place of accelerations.
+    pub(crate) fn gather_pair<'a>(
+        &'a mut self,
+        [s, other]: [&State; 2],
+        of: &PlacedBatch,
+    ) -> (LocalLanes<'a>, &'a [Lanes]) {
+        self.fill(s, of);
+        of.gather(0, &other.q, 0, &mut self.a[..of.width]);
+        let (at, _) = self.local(s, of);
+        (at, at.a)
+    }
+
     /// Gathers coordinates, velocities and multipliers. Accelerations are left unchanged, since only residuals depend on them, and
     /// velocities of constraints.
     pub(crate) fn gather<'a>(&'a mut self, s: &State, of: &PlacedBatch) -> LocalLanes<'a> {
@@ -267,19 +285,18 @@ pub(crate) struct TangentLanes([Lanes; MAX_UNKNOWNS * (MAX_UNKNOWNS + 1) / 2]);
 impl TangentLanes {
     const ZERO: Self = Self([Lanes([0.0; LANES]); MAX_UNKNOWNS * (MAX_UNKNOWNS + 1) / 2]);
 
-    /// Adds the tangents of a batch to a section of the matrix values.
+    /// Adds the tangents of a batch, which `evaluate` sets, to a section of the matrix values.
     pub(crate) fn add_tangent(
         &mut self,
         (of, places): (&PlacedBatch, &TangentPlaces),
-        at: &LocalLanes<'_>,
-        w: Weights,
+        evaluate: impl FnOnce(&dyn Batch, &mut [Lanes]),
         scatters: &[Scatter],
         (values, first): (&mut [f64], usize),
     ) {
         match places {
             TangentPlaces::Dense => {
                 let lower = &mut self.0[..of.size() * (of.size() + 1) / 2];
-                of.batch.tangent(at, w, lower);
+                evaluate(&*of.batch, lower);
                 for (lane, &term) in of.terms.iter().enumerate() {
                     scatters[term].add(values, first, |k| lower[k].0[lane]);
                 }
@@ -287,7 +304,7 @@ impl TangentLanes {
             TangentPlaces::Sparse(places) => {
                 let count = of.batch.count();
                 let entries = &mut self.0[..places.len() / count];
-                of.batch.tangent(at, w, entries);
+                evaluate(&*of.batch, entries);
                 for (entry, places) in entries.iter().zip(places.chunks_exact(count)) {
                     places.iter().zip(&entry.0).for_each(|(&place, x)| values[place - first] += x);
                 }

@@ -84,11 +84,13 @@ pub trait EquationsOfMotion {
         self.tangent(step.middle, w.of_middle(), k);
     }
 
-    /// Adds the change of the stiffness at a state if the stresses are those that the linear system at the state `from` predicts
-    /// ([`Term::stress_prediction`]). Equations without strains have none.
+    /// Assembles the stiffness at a state with the stresses that the linear system at the state `from` predicts
+    /// ([`Term::stress_prediction`]). Equations without strains have the stiffness of the state.
     ///
     /// [`Term::stress_prediction`]: super::terms::Term::stress_prediction
-    fn add_stress_prediction(&self, _s: &State, _from: &State, _k: &mut SparseMatrix) {}
+    fn predicted_stiffness(&self, s: &State, _from: &State, k: &mut SparseMatrix) {
+        self.tangent(s, Weights::STIFFNESS, k);
+    }
 
     /// Returns true if there are cables, which have a least tension ([`Term::least_tension`]).
     ///
@@ -114,6 +116,11 @@ pub trait EquationsOfMotion {
     ///
     /// The equations of motion also have inadmissible solutions.
     fn inadmissible(&self, _s: &State) -> Option<(usize, Inadmissibility)> {
+        None
+    }
+
+    /// Returns a coordinate of a term whose rotation passes half a turn between two states; `None` without one.
+    fn half_turn(&self, _from: &State, _to: &State) -> Option<usize> {
         None
     }
 

@@ -2,7 +2,7 @@ use std::fmt;
 use std::ops::AddAssign;
 use std::sync::Arc;
 
-use super::batch::{Batch, LaneStorage, LocalLanes, PlacedBatch, TangentPlaces};
+use super::batch::{Batch, GatheredLanes, LaneStorage, LocalLanes, PlacedBatch, TangentLanes, TangentPlaces};
 use super::contact_pairs::{ActiveContacts, ActiveGroup, ContactSearch};
 use super::dependence::scaled_constraint_rows;
 use super::motion_equations::EquationsOfMotion;
@@ -11,6 +11,7 @@ use super::term_sums::{LocalState, USUAL};
 use super::terms::{LOCAL, Local, LocalMatrix, State, Term, Weights};
 use super::thread_parts::ThreadParts;
 use crate::sparse::{ConstraintRow, Pattern, SparseMatrix};
+use crate::vectors::for_each_chunk;
 
 /// Equations of motion as a sum of terms: gather, evaluate, scatter.
 ///
@@ -287,6 +288,30 @@ impl System {
             let lower = block.lower();
             self.scatters[i].add(values, 0, |k| lower[k]);
         }
+    }
+
+    /// Sets a matrix to the sum of the tangents of all batches. `add` adds those of one batch, with its places and the scatter maps, to a
+    /// section of the values that starts at an entry.
+    pub(super) fn set_batched(
+        &self,
+        values: &mut [f64],
+        add: impl Fn(
+            &mut GatheredLanes,
+            &mut TangentLanes,
+            (&PlacedBatch, &TangentPlaces),
+            &[Scatter],
+            (&mut [f64], usize),
+        ) + Sync,
+    ) {
+        for_each_chunk(values, |_, values| values.fill(0.0));
+        self.by_entries.add_to(values, |batches, values, first| {
+            LaneStorage::with(|LaneStorage { lanes, entries }| {
+                for &i in batches {
+                    let of = (&self.batches[i as usize], &self.places[i as usize]);
+                    add(lanes, entries, of, &self.scatters, (&mut *values, first));
+                }
+            });
+        });
     }
 
     /// Adds a matrix of two states, summed over some terms.

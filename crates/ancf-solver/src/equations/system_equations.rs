@@ -16,7 +16,6 @@ use super::term_sums::{
 };
 use super::terms::{Energy, Inadmissibility, Level, Power, State, StepStates, Term, Weights};
 use crate::sparse::{Pattern, SparseMatrix};
-use crate::vectors::for_each_chunk;
 
 impl EquationsOfMotion for System {
     fn coordinates(&self) -> usize {
@@ -65,18 +64,29 @@ impl EquationsOfMotion for System {
     fn tangent(&self, s: &State, w: Weights, k: &mut SparseMatrix) {
         k.set_inertia(w.a != 0.0);
         let values = k.values_mut();
-        for_each_chunk(values, |_, values| values.fill(0.0));
-        self.by_entries.add_to(values, |batches, values, first| {
-            LaneStorage::with(|LaneStorage { lanes, entries }| {
-                for &i in batches {
-                    let (batched, places) = (&self.batches[i as usize], &self.places[i as usize]);
-                    let at = lanes.gather(s, batched);
-                    entries.add_tangent((batched, places), &at, w, &self.scatters, (&mut *values, first));
-                }
-            });
+        self.set_batched(values, |lanes, entries, of, scatters, to| {
+            let at = lanes.gather(s, of.0);
+            entries.add_tangent(of, |batch, k| batch.tangent(&at, w, k), scatters, to);
         });
         let (mut gathered, terms) = (LocalState::EMPTY, self.unbatched.iter().copied());
         self.add_matrix(terms, values, |term, block| term.tangent(&gathered.gather(s, term), w, block));
+    }
+
+    fn predicted_stiffness(&self, s: &State, from: &State, k: &mut SparseMatrix) {
+        k.set_inertia(false);
+        let values = k.values_mut();
+        self.set_batched(values, |lanes, entries, of, scatters, to| {
+            let (at, from) = lanes.gather_pair([s, from], of.0);
+            entries.add_tangent(of, |batch, k| batch.predicted_stiffness(&at, from, k), scatters, to);
+        });
+        let ([mut at, mut before], terms) = ([LocalState::EMPTY; 2], self.unbatched.iter().copied());
+        self.add_matrix(terms, values, |term, block| {
+            let at = at.gather(s, term);
+            term.tangent(&at, Weights::STIFFNESS, block);
+            if term.has_stress_prediction() {
+                term.stress_prediction(&at, &before.gather(from, term), block);
+            }
+        });
     }
 
     fn stiffness_products(&self, s: &State, x: &[DVector<f64>]) -> StiffnessProducts {
@@ -98,11 +108,6 @@ impl EquationsOfMotion for System {
             let middle = gathered.gather(step.middle, term);
             term.average_tangent(&ends.gather(step, middle, term), w, block);
         });
-    }
-
-    fn add_stress_prediction(&self, s: &State, from: &State, k: &mut SparseMatrix) {
-        let terms = (0..self.terms.len()).filter(|&i| self.terms[i].has_stress_prediction());
-        self.add_pair_matrix(terms, [s, from], k, |term, at, from, k| term.stress_prediction(at, from, k));
     }
 
     fn has_cables(&self) -> bool {
@@ -134,6 +139,14 @@ impl EquationsOfMotion for System {
         let mut reason = |term: &dyn Term| term.inadmissibility(&gathered.gather(s, term));
         let mut terms = batched.into_iter().chain(self.unbatched());
         terms.find_map(|term| Some((*term.coordinates().first()?, reason(term.as_ref())?)))
+    }
+
+    fn half_turn(&self, from: &State, to: &State) -> Option<usize> {
+        let [mut before, mut after] = [LocalState::EMPTY; 2];
+        let mut passes =
+            |term: &dyn Term| term.passes_half_turn(&before.gather(from, term), &after.gather(to, term));
+        let mut terms = self.unbatched().filter(|term| term.has_half_turn());
+        terms.find(|term| passes(term.as_ref()))?.coordinates().first().copied()
     }
 
     fn skew_stiffness(&self, s: &State) -> Vec<(usize, usize, f64)> {

@@ -86,8 +86,7 @@ impl StressPrediction {
         if !self.is_active || (is_start && least.is_none()) {
             return false;
         }
-        eom.tangent(s, Weights::STIFFNESS, matrix);
-        eom.add_stress_prediction(s, &self.from, matrix);
+        eom.predicted_stiffness(s, &self.from, matrix);
         if let Some(least) = least {
             eom.add_least_tension(s, &self.from, least, matrix);
         }

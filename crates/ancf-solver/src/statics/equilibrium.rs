@@ -1,4 +1,4 @@
-use crate::equations::{Energy, EquationsOfMotion, Rotation, State, Weights};
+use crate::equations::{Energy, EquationsOfMotion, Inadmissibility, Rotation, State, Weights};
 use crate::newton::{Newton, NewtonReport, SolveError, SolveFailure, StateUpdate};
 
 /// Report of an equilibrium solution.
@@ -87,6 +87,9 @@ pub(crate) fn check_change(
     let Rotation { size, at } = eom.rotation(from, to);
     if size > 1.0 {
         return Err(reject(SolveFailure::Rotated, at));
+    }
+    if let Some(at) = eom.half_turn(from, to) {
+        return Err(reject(SolveFailure::Inadmissible(Inadmissibility::HalfTurn), at));
     }
     eom.crossing(from, to).map_or(Ok(size), |at| Err(reject(SolveFailure::Crossed, at)))
 }

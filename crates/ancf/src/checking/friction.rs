@@ -65,7 +65,7 @@ pub(crate) fn friction_of_joints(model: &IndexedModel<'_>) -> Vec<Finding> {
         let acts = actions.drive.is_some() || actions.spring.is_some() || actions.law.is_some();
         let is_slide = matches!(joint, Joint::Slide(_));
         if by_reaction && is_slide && (acts || actions.stops.is_some() || friction.amount > 0.0) {
-            let expected = "0, or a slide without other forces along the beam, which its reaction contains";
+            let expected = "0, or a slide without other forces along the beam, also without `force` of the friction, since its reaction contains them";
             findings.push(finding(key("coefficient"), number(friction.coefficient), expected));
         }
         if by_reaction && model.output.errors {

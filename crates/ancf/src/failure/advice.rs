@@ -15,8 +15,9 @@ const fn for_state(reason: Inadmissibility) -> &'static str {
         Inadmissibility::InvertedElement => {
             "more elements there and smaller steps; smaller loads on the section"
         }
-        Inadmissibility::InvertedBody | Inadmissibility::HalfTurn => {
-            "smaller steps; ramps instead of jumps of loads and drives"
+        Inadmissibility::InvertedBody => "smaller steps; ramps instead of jumps of loads and drives",
+        Inadmissibility::HalfTurn => {
+            "smaller steps; ramps instead of jumps of loads and drives; a hinge in place of a bushing that turns by more than half a turn"
         }
         Inadmissibility::SliderEnd => {
             "a longer beam, or loads and drives with which the slider remains on it"

@@ -277,8 +277,8 @@ impl Term for ObstacleContact {
             let change = normal.dot(&apart) + b.dot(&combine(&turned, &self.axis));
             let energies = [gaps[0], gaps[2]].map(|gap| self.law.energy(gap));
             let pressures = gaps.map(|gap| self.law.pressure(gap));
-            let excess =
-                (ContactLaw::discrete_force(energies, change, pressures) - pressures[1]) * point.extent;
+            let size = point.place.size(step.middle.q) + self.radius(point);
+            let excess = ContactLaw::discrete_excess(energies, change, pressures, size) * point.extent;
             let [x, y, z] = [0, 1, 2].map(|k| b * (excess * self.axis[k]));
             self.add_forces(point, &stacked([normal * excess, x, y, z]), r);
         }

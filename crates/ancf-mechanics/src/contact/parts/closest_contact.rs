@@ -141,8 +141,9 @@ impl<P: ContactPartners<N>, const N: usize> Term for ClosestContact<P, N> {
             let pressures =
                 [&from, &middle, &to].map(|pose| Self::value(pose, point, |contact| contact.pressure()));
             middle.with_foot(point, &mut |contact| {
-                let mean = ContactLaw::discrete_force(energies, contact.closing(&moved), pressures);
-                contact.add_normal(mean - pressures[1], r);
+                let size = middle.errors(point, contact.foot.at).0 + contact.radius;
+                let change = contact.closing(&moved);
+                contact.add_normal(ContactLaw::discrete_excess(energies, change, pressures, size), r);
             });
         };
         // Points that touch at the end only follow those that touch at the start.

@@ -691,7 +691,8 @@ class Sensor(Part):
     a
         First end.
     b
-        Second end: a place or a point of the ground, also at a distance from ``a``.
+        Second end: a place or a point of the ground, also at a distance from ``a``, or the ground at the
+        point of ``a`` (not for distances).
     measure
         Measured quantity: the distance of the points; or the displacement or the angle of ``a`` relative to
         ``b``, zero in the undeformed state. One of ``"distance"``, ``"displacement"``, ``"angle"``.

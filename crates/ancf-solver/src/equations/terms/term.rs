@@ -131,6 +131,16 @@ pub trait Term: Any + Send + Sync {
         None
     }
 
+    /// True for terms with a rotation that is unique below half a turn ([`passes_half_turn`](Self::passes_half_turn)).
+    fn has_half_turn(&self) -> bool {
+        false
+    }
+
+    /// Returns true if such a rotation passes half a turn between two states, where it changes its sign.
+    fn passes_half_turn(&self, _from: &Local<'_>, _to: &Local<'_>) -> bool {
+        false
+    }
+
     /// Visits the lower entries (i, j), i > j, of the skew part of ∂f/∂q. The tangent contains the symmetric part.
     ///
     /// Forces without a potential have a skew part, such as follower forces. It determines flutter.

@@ -16,17 +16,20 @@ pub(super) fn has_kink(system: &dyn EquationsOfMotion, s: &State, shape: &[f64])
         return false;
     }
     let size = n + s.lambda.len();
-    let mut there = s.clone();
-    let mut residual = |h: f64| {
-        there.q.iter_mut().zip(&s.q).zip(shape).for_each(|((there, q), x)| *there = q + h * x);
+    let moved = |h: f64| {
+        let mut there = s.clone();
+        there.q.iter_mut().zip(shape).for_each(|(q, x)| *q += h * x);
+        there
+    };
+    let residual = |h: f64| {
         let mut r = vec![0.0; size];
-        system.residual(&there, &mut r);
+        system.residual(&moved(h), &mut r);
         r
     };
     let (h, centre) = (DIFFERENCE / largest, residual(0.0));
     let [[after, before], [nearer, behind]] = [h, 0.25 * h].map(|h| [residual(h), residual(-h)]);
     let mut floor = vec![0.0; size];
-    system.rounding(s, &mut floor);
+    system.rounding(&moved(h), &mut floor);
     let slope = (0..n).map(|i| (after[i] - before[i]).abs()).fold(0.0, f64::max) / 8.0;
     (0..n).any(|i| {
         let [far, near] =

@@ -35,6 +35,8 @@ struct FoundModes {
     /// Number of zero frequencies.
     rigid: usize,
     sturm: Option<SturmCount>,
+    /// True if there are modes beyond the found ones, whose number is not verified.
+    is_unverified: bool,
     /// True if the loads have no potential.
     is_nonconservative: bool,
 }
@@ -87,12 +89,13 @@ impl FoundModes {
             let found = nonconservative_modes(system, matrix, s, count, interrupt)?;
             let modes: Vec<_> = found.into_iter().map(FoundMode::from).collect();
             require_slopes(system, s, &modes)?;
-            return Ok(Self { modes, rigid: 0, sturm: None, is_nonconservative: true });
+            return Ok(Self { modes, rigid: 0, sturm: None, is_unverified: false, is_nonconservative: true });
         }
         let found = modes(system, matrix, s, count, interrupt)?;
         let modes: Vec<_> = found.modes.into_iter().map(FoundMode::from).collect();
         require_slopes(system, s, &modes)?;
-        Ok(Self { modes, rigid: found.rigid, sturm: found.sturm, is_nonconservative: false })
+        let is_unverified = found.sturm.is_none() && modes.len() < system.degrees_of_freedom(s);
+        Ok(Self { modes, rigid: found.rigid, sturm: found.sturm, is_unverified, is_nonconservative: false })
     }
 }
 
@@ -126,7 +129,7 @@ impl AnalysisRun<'_> {
                     self.estimate(model, &about, &mut found.modes);
                 }
                 self.summary.warnings.extend(self.held_but_zero(&about, found.rigid));
-                if found.sturm.is_none() && !found.is_nonconservative && !found.modes.is_empty() {
+                if found.is_unverified {
                     self.summary.warnings.push(UNVERIFIED.to_owned());
                 }
                 let counted = |sturm: SturmCount| EigenvalueCount::new(sturm, rate * rate);

@@ -41,8 +41,8 @@ fn sliding_becomes_rolling() {
         for (velocity, spin, rolling) in [(1.0, 0.0, 5.0 / 7.0), (0.0, 20.0, 2.0 / 7.0), (1.0, 20.0, 1.0)] {
             let motion = format!("{{ velocity = [{velocity:?}, 0, 0], spin = [0, {spin:?}, 3] }}");
             let series = ball(&motion, GRAVITY, scheme);
-            assert_relative(scheme, last(&series, "p.vx"), rolling, 1e-4);
-            assert_relative(scheme, last(&series, "p.wy"), rolling / 0.05, 1e-4);
+            assert_relative(scheme, last(&series, "p.vx"), rolling, 1e-3);
+            assert_relative(scheme, last(&series, "p.wy"), rolling / 0.05, 1e-3);
             assert_relative(scheme, last(&series, "p.wz"), 3.0, 1e-3);
             // The ball settles on the plane by 0.2 mm, with a work of 4 mJ.
             let before: f64 = velocity * velocity + 1e-3 * spin * spin;
@@ -117,5 +117,19 @@ fn grazing_balls_conserve_momenta() {
         };
         let (before, after) = (whole(0, 0), whole(1, count - 1));
         assert!((before - after).norm() < 1e-5 * before.norm(), "{scheme}: {before} {after}");
+    }
+}
+
+/// A damped ball comes to rest on a plane with all schemes, and remains there: the work of the contact vanishes with the motion.
+#[test]
+fn balls_come_to_rest() {
+    for scheme in SCHEMES {
+        let series = ball("{ velocity = [0, 0, -0.1] }", GRAVITY, scheme);
+        let [height, speed] = ["p.z", "p.vz"].map(|name| last(&series, name));
+        // Depth of the weight p = m g/(2 R) in the transition, √(2δp/k).
+        assert!(
+            (height - (0.05 - (2.0 * 1e-3 * 2.0 * 9.81 / 1e5_f64).sqrt())).abs() < 1e-6 && speed.abs() < 1e-6,
+            "{scheme}: {height}, {speed}"
+        );
     }
 }

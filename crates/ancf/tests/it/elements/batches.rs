@@ -14,7 +14,7 @@ use nalgebra::{DMatrix, DVector, Vector3};
 use crate::common::models::beams::{BY_KIND, BeamCase, beam_cases};
 use crate::common::models::{parse, rod};
 use crate::common::random::Random;
-use crate::common::sample::{Sample, residual, tangent};
+use crate::common::sample::{Sample, predicted_stiffness, residual, tangent};
 
 /// Elements of a body: one full batch and one of three elements.
 const ELEMENTS: u32 = 11;
@@ -168,12 +168,17 @@ fn batch_residual(batch: &dyn Batch, at: &LocalLanes<'_>) -> Vec<Lanes> {
     rows
 }
 
-fn batch_tangent(batch: &dyn Batch, at: &LocalLanes<'_>, w: Weights, lane: usize) -> DMatrix<f64> {
-    let n = at.q.len() + at.lambda.len();
+/// Matrix of a lane from the entries that `evaluate` sets.
+fn batch_matrix(
+    batch: &dyn Batch,
+    n: usize,
+    lane: usize,
+    evaluate: impl FnOnce(&mut [Lanes]),
+) -> DMatrix<f64> {
     let lower = || (0..n as u8).flat_map(|j| (j..n as u8).map(move |i| [i, j])).collect();
     let entries = batch.entries().map_or_else(lower, <[[u8; 2]]>::to_vec);
     let mut values = vec![Lanes([f64::NAN; LANES]); entries.len()];
-    batch.tangent(at, w, &mut values);
+    evaluate(&mut values);
     let mut matrix = DMatrix::zeros(n, n);
     for ([i, j], value) in entries.iter().map(|entry| entry.map(usize::from)).zip(values) {
         matrix[(i, j)] = value.0[lane];
@@ -235,11 +240,20 @@ fn assert_same(case: &BatchCase, random: &mut Random, amplitude: f64) {
             force.max(power.dissipation),
         );
         assert_eq!(found.work, 0.0);
+        let before: Vec<Sample> = states.iter().map(|s| Sample { q: &s.q * 0.8, ..s.clone() }).collect();
+        let from = Gathered::new(&before);
+        for (lane, (term, (s, before))) in terms.iter().zip(states.iter().zip(&before)).enumerate() {
+            let expected = predicted_stiffness(term.as_ref(), s, before);
+            let found =
+                batch_matrix(batch, rows.len(), lane, |k| batch.predicted_stiffness(&at, &from.0[0], k));
+            let error = (found - &expected).amax() / expected.amax().max(1e-300);
+            assert!(error <= TOLERANCE, "{name}: predicted stiffness of lane {lane}: {error:e}");
+        }
         let mixed = Weights { q: 1.3, v: random.number(), a: 0.7 };
         for w in [Weights::STIFFNESS, Weights::MASS, Weights { q: 0.0, v: 1.0, a: 0.0 }, mixed] {
             for (lane, (term, s)) in terms.iter().zip(&states).enumerate() {
                 let expected = tangent(term.as_ref(), s, w);
-                let found = batch_tangent(batch, &at, w, lane);
+                let found = batch_matrix(batch, rows.len(), lane, |k| batch.tangent(&at, w, k));
                 let error = (found - &expected).amax() / expected.amax().max(1e-300);
                 assert!(error <= TOLERANCE, "{name}: tangent of lane {lane}: {error:e}");
             }

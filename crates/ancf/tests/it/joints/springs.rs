@@ -1,5 +1,8 @@
 //! Springs, ropes and bushings, against closed forms.
 
+use ancf::record::Series;
+use ancf::{Outcome, simulate};
+
 use crate::common::models::jointed_body::{DYNAMICS, STATICS, jointed_body};
 use crate::common::models::parse;
 use crate::common::solutions::Run;
@@ -78,6 +81,38 @@ fn bushing_deflects_by_its_stiffness() {
     for (axis, start, expected) in [("x", 0.4, 0.02), ("y", 0.1, 0.02), ("z", -0.2, 0.02)] {
         let moved = run.last(&format!("center.{axis}")) - start;
         assert!((moved - expected).abs() < 1e-4, "{axis}: {moved}");
+    }
+}
+
+/// Rotation vectors and swings are unique below half a turn. A motion that passes it fails with any step, near this time.
+#[test]
+fn bushings_beyond_half_a_turn_fail() {
+    let matrix = "kind = \"matrix_bushing\", stiffness = [[1e4, 0, 0], [0, 1e4, 0], [0, 0, 1e4]], rotation_stiffness = [[2, 0, 0], [0, 2, 0], [0, 0, 2]]";
+    let swing = "kind = \"bushing\", stiffness = [1e4, 1e4, 1e4, 4, 2, 2]";
+    for (joint, stiffness) in [(matrix, 2.0_f64), (swing, 2.0)] {
+        for step in [1e-3, 5e-3] {
+            let model = parse(&format!(
+                r#"
+                bodies = [{{ kind = "rigid", name = "b", center = [0, 0, 0], mass = 1, inertia = [1, 1, 1], motion = {{ spin = [0, 0, 8] }} }}]
+                joints = [{{ {joint}, name = "m", a = {{ body = "b", at = [0, 0, 0] }} }}]
+                probes = [{{ name = "p", on = {{ body = "b", at = "center" }}, record = ["rotation"] }}]
+                analysis = {{ kind = "dynamics", duration = 1, step = {step:?}, scheme = {{ spectral_radius = 0.8 }} }}
+                "#
+            ));
+            let mut series = Series::new();
+            let Outcome::Failed { time, reason, .. } = simulate(&model, &mut series).unwrap().outcome else {
+                panic!("{joint} passes half a turn")
+            };
+            // φ = 8/ω sin ωt.
+            let omega = stiffness.sqrt();
+            let half = (omega * std::f64::consts::PI / 8.0).asin() / omega;
+            assert!(
+                (time - half).abs() < 6e-3 && reason.contains("a joint is half a turn"),
+                "{time}, {half}: {reason}"
+            );
+            let before = 8.0 * (omega * series.column("t").unwrap().last().unwrap()).cos();
+            assert!((series.column("p.wz").unwrap().last().unwrap() - before).abs() < 1e-2);
+        }
     }
 }
 

@@ -48,6 +48,11 @@ impl InnerLoads {
         Self { terms: inner, has_joints }
     }
 
+    /// True if no terms act between the nodes of an element.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.terms.is_empty()
+    }
+
     /// Indices of the terms within an element.
     pub(crate) fn of(&self, body: usize, element: usize) -> &[usize] {
         self.terms.get(&(body, element)).map_or(&[], Vec::as_slice)

@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 use super::findings::{COINCIDENT, body};
 use crate::errors::{Finding, finding, is_direction, no_direction, number, quoted};
 use crate::joints::{Coupled, End, Joint, JointActions, JointCoordinate};
-use crate::model::{IndexedModel, TimeFunction, Varying, joints_of};
+use crate::model::{Analysis, IndexedModel, TimeFunction, Varying, joints_of};
 use crate::schema::unknown;
 
 /// Checks that axes are directions.
@@ -53,6 +53,47 @@ pub(crate) fn spans(model: &IndexedModel<'_>) -> Vec<Finding> {
             }
             _ => None,
         }
+    };
+    joints_of(model).filter_map(rule).collect()
+}
+
+/// Number of instants at which lengths that vary in time are checked.
+const INSTANTS: u32 = 1000;
+
+/// Checks that rods keep a positive length: the initial distance and its change.
+pub(crate) fn lengths(model: &IndexedModel<'_>) -> Vec<Finding> {
+    let rule = |(path, joint): (String, &Joint)| {
+        let Joint::Distance(rod) = joint else { return None };
+        let there = match &rod.b {
+            End::Place(place) => model.point(place)?,
+            End::Point(ground) => Vector3::from(ground.point),
+            End::Ground => return None,
+        };
+        let initial = (model.point(&rod.a)? - there).norm();
+        let factors: Vec<f64> = match &model.analysis {
+            Analysis::Dynamics(own) => {
+                let function = rod.time.compile().ok()?;
+                let instant =
+                    |k: u32| model.initial.start_time + own.duration * f64::from(k) / f64::from(INSTANTS);
+                let end = instant(INSTANTS);
+                let breaks =
+                    function.breaks().into_iter().filter(|t| (model.initial.start_time..=end).contains(t));
+                (0..=INSTANTS).map(instant).chain(breaks).map(|t| function.value(t)).collect()
+            }
+            Analysis::Statics(own) => vec![own.load],
+            _ => vec![1.0],
+        };
+        let least = factors.into_iter().map(|f| initial + rod.change * f).fold(f64::INFINITY, f64::min);
+        (least <= 0.0).then(|| {
+            let found = format!("a length of down to {}", number(least));
+            let expected = format!(
+                "a change that leaves a positive length of the initial distance, {}",
+                number(initial)
+            );
+            let rests_on =
+                ["bodies".into(), format!("{path}.a"), format!("{path}.b"), format!("{path}.time")];
+            finding(format!("{path}.change"), found, expected).rests_on(rests_on)
+        })
     };
     joints_of(model).filter_map(rule).collect()
 }

@@ -62,6 +62,7 @@ pub(crate) fn broken_rules(model: &Model) -> Vec<Finding> {
     let of_joints = [
         super::joints::axes,
         super::joints::spans,
+        super::joints::lengths,
         super::joints::drives,
         super::joints::stops,
         super::joints::kinds,

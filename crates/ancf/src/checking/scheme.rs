@@ -1,7 +1,8 @@
 //! Checks of the time step, of the integration scheme and of the estimate of errors.
 
 use crate::errors::{Finding, finding, number};
-use crate::model::{Analysis, Dynamics, EndCondition, IndexedModel, Origin, Scheme, Step};
+use crate::joints::Joint;
+use crate::model::{Analysis, Body, Dynamics, EndCondition, IndexedModel, Origin, Scheme, Step};
 
 /// Upper limit on the number of steps. Larger values are assumed to be typing errors.
 const MAX_STEPS: f64 = 1e9;
@@ -43,7 +44,10 @@ pub(crate) fn scheme(model: &IndexedModel<'_>) -> Vec<Finding> {
     let Some(Dynamics { scheme, step, .. }) = model.analysis.dynamics() else { return Vec::new() };
     let numbers = scheme.numbers();
     let (path, key) = path_and_found(*scheme);
-    let joints = !model.joints.is_empty();
+    let is_constraint =
+        |joint: &Joint| !matches!(joint, Joint::Spring(_) | Joint::Bushing(_) | Joint::MatrixBushing(_));
+    let constraints = model.joints.iter().any(is_constraint)
+        || model.bodies.iter().any(|body| matches!(body, Body::Rigid(_)));
     let found = |what: &str| if key == "0" { key.clone() } else { format!("{key}, which has {what}") };
     let error = |found: String, expected: &str, hint: &str| finding(path.into(), found, expected).hint(hint);
     let rule = if numbers.beta == 0.0 {
@@ -53,10 +57,11 @@ pub(crate) fn scheme(model: &IndexedModel<'_>) -> Vec<Finding> {
         let found = number(numbers.gamma);
         finding("analysis.scheme.gamma".into(), found, "γ ≥ 1/2")
             .hint("with less, every vibration grows from step to step, however small the step is")
-    } else if joints && 2.0 * numbers.beta < numbers.gamma * (1.0 - 1e-12) {
-        let reason = "with less, the reactions of joints grow from step to step, by a factor of \
+    } else if constraints && 2.0 * numbers.beta < numbers.gamma * (1.0 - 1e-12) {
+        let reason = "with less, the forces of constraints grow from step to step, by a factor of \
                       3.7 for γ = 1/2, β = 1/6";
-        error(found("2β < γ"), "2β ≥ γ in a model with joints", reason).rests_on(["joints".into()])
+        let expected = "2β ≥ γ in a model with joints or rigid bodies";
+        error(found("2β < γ"), expected, reason).rests_on(["joints".into(), "bodies".into()])
     } else if step.fixed().is_none() && numbers.averaging.is_some() {
         let expected = "a generalized-α scheme, such as { spectral_radius = 0.6 }, or a fixed `step`";
         error(
@@ -69,14 +74,14 @@ pub(crate) fn scheme(model: &IndexedModel<'_>) -> Vec<Finding> {
         let expected = "a scheme of second order, such as { spectral_radius = 0.8 }";
         error(key, expected, "adaptive steps go by an error that is of third order in the step")
             .rests_on(["analysis.step".into()])
-    } else if step.fixed().is_none() && joints && numbers.gamma <= 0.5 {
+    } else if step.fixed().is_none() && constraints && numbers.gamma <= 0.5 {
         let expected = "a scheme that damps, such as { spectral_radius = 0.8 }";
         error(
             key,
             expected,
-            "without damping every change of the step makes the reactions of joints alternate",
+            "without damping every change of the step makes the forces of constraints alternate",
         )
-        .rests_on(["analysis.step".into(), "joints".into()])
+        .rests_on(["analysis.step".into(), "joints".into(), "bodies".into()])
     } else {
         return Vec::new();
     };

@@ -21,7 +21,7 @@ pub enum Resolution {
     Rough,
     /// The elements do not resolve the shape.
     Unresolved,
-    /// Joints act between the nodes of elements, the tension of a taut element vanishes at an end, or the response of the
+    /// Joints, point moments or moments that vary act between the nodes of elements, the tension of a taut element vanishes at an end, or the response of the
     /// structure to the gaps is not known, such as near a critical load. With shells, the second solution failed.
     Unknown,
 }

@@ -20,6 +20,8 @@ pub(crate) struct GapField<'a> {
     pub(super) contacts: Vec<Arc<dyn Term>>,
     bodies: Vec<Option<BodyGaps<'a>>>,
     is_rough: bool,
+    /// True if moments act between the nodes of elements, at places that are not known.
+    has_unknown_moments: bool,
     /// True if strains of quadratic elements are damped in a motion: the elastic part of their section forces is not known.
     is_damped: bool,
 }
@@ -82,7 +84,17 @@ impl<'a> GapField<'a> {
         let contacts = assembly.contact_terms(state);
         let are_loads_known = model.loads.iter().all(|load| load.kind().is_known_within_elements());
         let is_rough = !contacts.is_empty() || !are_loads_known;
-        let mut field = Self { assembly, state, contacts, bodies: Vec::new(), is_rough, is_damped: false };
+        let has_unknown_moments = !assembly.inner_loads.is_empty()
+            && model.loads.iter().any(|load| load.kind().has_unknown_moments());
+        let mut field = Self {
+            assembly,
+            state,
+            contacts,
+            bodies: Vec::new(),
+            is_rough,
+            has_unknown_moments,
+            is_damped: false,
+        };
         for (number, of_model) in model.bodies.iter().enumerate() {
             let mesh = assembly.body_of(number).mesh();
             let sections = mesh.zip(RodSections::new(model, of_model));
@@ -111,11 +123,12 @@ impl<'a> GapField<'a> {
         self.is_rough || self.bodies().any(|(_, body)| body.gaps.iter().any(|gap| gap.is_rough))
     }
 
-    /// True if gaps are not known, as with shells, or joints act between the nodes of elements.
+    /// True if gaps are not known, as with shells, or moments or joints act between the nodes of elements.
     pub(super) fn is_unknown(&self) -> bool {
         let is_unknown = |body: &BodyGaps<'_>| body.gaps.iter().any(|gap| gap.is_unknown);
         let has_shells = self.assembly.bodies().any(|(_, body)| body.is_shell());
         has_shells
+            || self.has_unknown_moments
             || self.is_damped
             || self.assembly.inner_loads.has_joints
             || self.bodies().any(|(_, body)| is_unknown(body))

@@ -16,7 +16,7 @@ impl DiscretisationErrors {
                 format!("mesh: the error is not known: {}", finer.reason.as_deref().unwrap_or_default())
             }
             (Resolution::Unknown, None) => {
-                "mesh: the error is not known: joints act within elements, the tension of a coarse taut element vanishes at its \
+                "mesh: the error is not known: joints or moments act within elements, the tension of a coarse taut element vanishes at its \
                  end, or a critical load is near; in modes the stressed state is not resolved, in buckling the loads bend \
                  the structure"
                     .into()

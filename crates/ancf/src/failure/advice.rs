@@ -62,7 +62,8 @@ pub(crate) fn advice_for_iteration(failure: SolveFailure, analysis: &Analysis) -
                                    or more `analysis.max_iterations`; a small imperfection where paths cross"
             .into(),
         _ => "an analysis of kind \"path\", which passes limit points, or \"dynamics\" with damping, which computes \
-              the motion after snap-through; a smaller `analysis.first`; more elements at the largest curvature"
+              the motion after snap-through; a smaller `analysis.first`; more `analysis.max_iterations` if there are few; more elements at the \
+              largest curvature"
             .into(),
     }
 }

@@ -47,6 +47,10 @@ impl LoadKind for DistributedMoment {
         !self.follower && self.moment_end.is_none() && self.part().is_whole()
     }
 
+    fn has_unknown_moments(&self) -> bool {
+        self.moment_end.is_some() || !self.part().is_whole()
+    }
+
     fn build(&self, builder: &mut LoadBuilder<'_>) {
         let Some((body, mesh)) = builder.flexible(&self.body) else { return };
         let function = builder.function(&self.time);

@@ -37,6 +37,10 @@ impl LoadKind for PointMoment {
         !matches!(self.on.at, At::Named(NamedPosition::Center) | At::Length(_))
     }
 
+    fn has_unknown_moments(&self) -> bool {
+        !self.is_known_within_elements()
+    }
+
     fn build(&self, builder: &mut LoadBuilder<'_>) {
         let (on, function) = (builder.attachment(&self.on), builder.function(&self.time));
         let frames = on.moment_frames();

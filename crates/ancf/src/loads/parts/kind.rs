@@ -75,6 +75,12 @@ pub trait LoadKind: LoadObject + fmt::Debug + Send + Sync {
         false
     }
 
+    /// True for moments that vary within an element or act at a point there: the nodal forces do not state their places, and estimates
+    /// of the error of the mesh are not known.
+    fn has_unknown_moments(&self) -> bool {
+        false
+    }
+
     /// Findings of checks that the kind alone requires. `path` is that of the load in the model.
     fn check(&self, _path: &str, _context: &dyn LoadContext) -> Vec<Finding> {
         Vec::new()

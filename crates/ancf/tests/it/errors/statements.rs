@@ -53,10 +53,31 @@ fn joint_within_an_element_is_unknown() {
     let inside = frame(2);
     assert_eq!(inside.resolution, Resolution::Unknown);
     assert!(
-        inside.values.is_empty() && inside.sentence().contains("joints act within elements"),
+        inside.values.is_empty() && inside.sentence().contains("joints or moments act within elements"),
         "{inside:?}"
     );
     assert_eq!(frame(4).resolution, Resolution::Good);
+}
+
+/// Moments that vary within elements, or act at a point there, have no estimate: their place does not follow from the nodal forces. A
+/// uniform moment on the whole beam has one.
+#[test]
+fn moments_within_elements_are_unknown() {
+    let with =
+        |load: &str| errors(&beam(BODIES[2], 3, &format!("{CLAMPED}\nloads = [{{ {load} }}]"))).resolution;
+    let distributed = "kind = \"distributed_moment\", body = \"b\", moment = [0, 0, 0.1]";
+    let point =
+        |at: &str| format!("kind = \"moment\", on = {{ body = \"b\", at = {at} }}, moment = [0, 0, 0.1]");
+    for unknown in [
+        format!("{distributed}, moment_end = [0, 0, 0.2]"),
+        format!("{distributed}, from = 0.13, to = 0.77"),
+        point("0.6"),
+    ] {
+        assert_eq!(with(&unknown), Resolution::Unknown, "{unknown}");
+    }
+    for known in [distributed.to_owned(), point("\"end\"")] {
+        assert_eq!(with(&known), Resolution::Good, "{known}");
+    }
 }
 
 /// The last element of a coarse hanging cable is taut at one end only. Short elements resolve the transition.

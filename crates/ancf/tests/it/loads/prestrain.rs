@@ -207,3 +207,20 @@ fn shrinking_in_time_closes_the_energy_balance() {
         }
     }
 }
+
+/// A heated body at rest in its stress-free equilibrium remains there. Strain energies of elements and prescribed strains cancel: their
+/// rounding errors are no energy that the steps make or lose.
+#[test]
+fn heated_bodies_remain_at_rest() {
+    let root = "joints = [{ kind = \"clamp\", name = \"c\", a = { body = \"rod\", at = \"start\" } }]";
+    for (body, strain) in [(BODIES[2], 0.01), (BODIES[4], 0.01), (BODIES[2], 1e-4)] {
+        let text = format!(
+            "loads = [{{ kind = \"prestrain\", body = \"rod\", strain = {strain:?} }}]\n{root}\ninitial = {{ from = \"equilibrium\" }}\n\
+             analysis = {{ kind = \"dynamics\", duration = 0.05, step = 1e-3 }}\n"
+        );
+        let mut series = ancf::record::Series::new();
+        let summary = ancf::simulate(&rod(body, 5, &text), &mut series).unwrap();
+        assert!(summary.outcome.is_finished(), "{body}, {strain}: {:?}", summary.outcome);
+        assert!(summary.warnings.is_empty(), "{body}, {strain}: {:?}", summary.warnings);
+    }
+}

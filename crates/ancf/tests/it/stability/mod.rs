@@ -4,5 +4,6 @@ mod carried_loads;
 mod columns;
 mod fine_meshes;
 mod followers;
+mod force_laws;
 mod loaded_equilibria;
 mod modes;

@@ -86,7 +86,8 @@ pub unsafe extern "C" fn ancf_get_state(
     }
 }
 
-/// Continues from another state. Positions and velocities are projected onto the constraints.
+/// Continues from another state. Positions and velocities are projected onto the constraints. Angles of hinges and sensors that the
+/// coordinates determine up to whole turns are then between −π and π. Inputs keep their values.
 ///
 /// @param moved Receives the largest displacement of a node or centre by the projection; may be NULL.
 /// @param corrected Receives the kinetic energy of the correction of the velocities, relative to that of the given ones; may be NULL.

@@ -343,7 +343,7 @@ class Dynamics(Part):
     max_iterations
         Maximum number of Newton iterations of a step (>= 1). Default: ``50``.
     newton
-        Newton's method with a new tangent in each iteration, or with reused tangents. One of ``"modified"``,
+        Newton's method with reused tangents, or with a new tangent in each iteration. One of ``"modified"``,
         ``"full"``. Default: ``"modified"``.
     scheme
         Time integration scheme. Default: ``Newmark()``.

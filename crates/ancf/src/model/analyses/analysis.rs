@@ -55,7 +55,7 @@ pub struct Dynamics {
     /// Convergence criterion of the Newton iteration.
     #[serde(default)]
     pub stop: Stop,
-    /// Newton's method with a new tangent in each iteration, or with reused tangents.
+    /// Newton's method with reused tangents, or with a new tangent in each iteration.
     #[serde(default)]
     pub newton: NewtonMethod,
     /// Maximum number of Newton iterations of a step.

@@ -43,8 +43,10 @@ impl EndConditions {
         let is_met = |(condition, number, dimension): &&(EndCondition, usize, Dimension)| {
             condition.is_met(row[*number] / scales.unit(*dimension), *dimension)
         };
-        let (condition, number, _) = self.0.iter().find(is_met)?;
-        let value = short(row[*number]);
+        let (condition, number, dimension) = self.0.iter().find(is_met)?;
+        // In the units of the limit.
+        let value = row[*number] / scales.unit(*dimension) * condition.units.unit(*dimension);
+        let value = short(value);
         Some(format!("`{}` = {value}, {}", condition.value, condition.text()))
     }
 }

@@ -294,7 +294,8 @@ ancf_status ancf_get_state(ancf_simulation *simulation,
                            size_t count);
 
 /**
- * Continues from another state. Positions and velocities are projected onto the constraints.
+ * Continues from another state. Positions and velocities are projected onto the constraints. Angles of hinges and sensors that the
+ * coordinates determine up to whole turns are then between −π and π. Inputs keep their values.
  *
  * @param moved Receives the largest displacement of a node or centre by the projection; may be NULL.
  * @param corrected Receives the kinetic energy of the correction of the velocities, relative to that of the given ones; may be NULL.
@@ -459,7 +460,8 @@ ancf_status ancf_get_state(ancf_simulation *simulation,
                            size_t count);
 
 /**
- * Continues from another state. Positions and velocities are projected onto the constraints.
+ * Continues from another state. Positions and velocities are projected onto the constraints. Angles of hinges and sensors that the
+ * coordinates determine up to whole turns are then between −π and π. Inputs keep their values.
  *
  * @param moved Receives the largest displacement of a node or centre by the projection; may be NULL.
  * @param corrected Receives the kinetic energy of the correction of the velocities, relative to that of the given ones; may be NULL.

@@ -51,9 +51,15 @@ impl ParaviewArguments {
         };
         let values: Vec<f64> =
             results.frames().map(|frame| frame.map(|frame| frame.value)).collect::<Result<_, _>>()?;
+        if values.is_empty() {
+            let folder = self.folder.display();
+            return Ok(reject(&format!(
+                "{folder} contains no stored states: `output.states` is 0, or their file was removed"
+            )));
+        }
         let most = self.frames.map_or(usize::MAX, NonZeroUsize::get);
         let picked = FrameSelection { from: self.from, to: self.to, most }.pick(&values);
-        if picked.is_empty() && !values.is_empty() {
+        if picked.is_empty() {
             let span =
                 values.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| [a.min(*x), b.max(*x)]);
             return Ok(reject(&format!(

@@ -1,11 +1,14 @@
 use std::fs::{self, File};
-use std::io;
+use std::io::{self, BufWriter, Cursor, Read, Seek, SeekFrom};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use bytes::Bytes;
 use parquet::column::writer::ColumnCloseResult;
-use parquet::file::metadata::{PageIndexPolicy, ParquetMetaData, ParquetMetaDataReader};
+use parquet::errors::{ParquetError, Result as ParquetResult};
+use parquet::file::metadata::{PageIndexPolicy, ParquetMetaData, ParquetMetaDataReader, RowGroupMetaData};
 use parquet::file::properties::WriterPropertiesPtr;
+use parquet::file::reader::{ChunkReader, Length};
 use parquet::file::writer::SerializedFileWriter;
 
 use super::checksums;
@@ -22,7 +25,7 @@ pub(crate) fn merge(
     properties: &WriterPropertiesPtr,
 ) -> io::Result<()> {
     let write = |file: &File| {
-        let mut writer = SerializedFileWriter::new(file, layout.schema()?, Arc::clone(properties))?;
+        let mut writer = SerializedFileWriter::new(buffered(file), layout.schema()?, Arc::clone(properties))?;
         let mut groups = 0;
         for path in from {
             let (file, metadata) = open(path).map_err(|error| with_path(&error, path))?;
@@ -32,7 +35,7 @@ pub(crate) fn merge(
             groups += metadata.num_row_groups();
         }
         writer.append_key_value_metadata(checksums::placeholder(groups));
-        writer.close()?;
+        writer.into_inner()?.into_inner().map_err(io::IntoInnerError::into_error)?;
         checksums::write(file)
     };
     write_atomically(to, write).map_err(|error| with_path(&error, to))
@@ -54,10 +57,11 @@ pub(crate) fn split(
         for group in 0..metadata.num_row_groups() {
             let name = part(from, group).file_name().map(PathBuf::from).unwrap_or_default();
             let own = create(&unfinished.join(name))?;
-            let mut writer = SerializedFileWriter::new(&own, layout.schema()?, Arc::clone(properties))?;
+            let mut writer =
+                SerializedFileWriter::new(buffered(&own), layout.schema()?, Arc::clone(properties))?;
             copy(&file, &metadata, group, &mut writer)?;
             writer.append_key_value_metadata(checksums::placeholder(1));
-            writer.close()?;
+            writer.into_inner()?.into_inner().map_err(io::IntoInnerError::into_error)?;
             checksums::write(&own)?;
         }
         rename(&unfinished, to)
@@ -83,15 +87,16 @@ fn copy(
     file: &File,
     metadata: &ParquetMetaData,
     group: usize,
-    writer: &mut SerializedFileWriter<&File>,
+    writer: &mut SerializedFileWriter<BufWriter<&File>>,
 ) -> io::Result<()> {
     let from = metadata.row_group(group);
     let index = metadata.page_index();
+    if !from.columns().iter().all(is_sound) {
+        return Err(io::Error::new(io::ErrorKind::InvalidData, "invalid offset of a column"));
+    }
+    let bytes = GroupBytes::read(file, from)?;
     let mut to = writer.next_row_group()?;
     for (place, column) in from.columns().iter().enumerate() {
-        if !is_sound(column) {
-            return Err(io::Error::new(io::ErrorKind::InvalidData, "invalid offset of a column"));
-        }
         let close = ColumnCloseResult {
             bytes_written: u64::try_from(column.compressed_size()).unwrap_or_default(),
             rows_written: u64::try_from(from.num_rows()).unwrap_or_default(),
@@ -100,8 +105,68 @@ fn copy(
             column_index: index.and_then(|index| index.column_index(group, place)).cloned(),
             offset_index: index.and_then(|index| index.offset_index(group, place)).cloned(),
         };
-        to.append_column(file, close)?;
+        to.append_column(&bytes, close)?;
     }
     to.close()?;
     Ok(())
+}
+
+/// Bytes of a row group. Thousands of columns of a few kilobytes each are read and written at once.
+struct GroupBytes {
+    /// Place of the first byte in the file.
+    first: u64,
+    bytes: Bytes,
+}
+
+/// Capacity of the writer of a table.
+const BUFFER: usize = 1 << 20;
+
+/// Returns a writer of a file that collects columns.
+pub(super) fn buffered(file: &File) -> BufWriter<&File> {
+    BufWriter::with_capacity(BUFFER, file)
+}
+
+impl GroupBytes {
+    fn read(mut file: &File, group: &RowGroupMetaData) -> io::Result<Self> {
+        let ranges = || group.columns().iter().map(|column| column.byte_range());
+        let first = ranges().map(|(start, _)| start).min().unwrap_or_default();
+        let end = ranges().map(|(start, length)| start.saturating_add(length)).max().unwrap_or_default();
+        if end > file.metadata()?.len() {
+            return Err(io::ErrorKind::UnexpectedEof.into());
+        }
+        let mut bytes = vec![0; usize::try_from(end - first).map_err(|_| io::ErrorKind::InvalidData)?];
+        file.seek(SeekFrom::Start(first))?;
+        file.read_exact(&mut bytes)?;
+        Ok(Self { first, bytes: bytes.into() })
+    }
+
+    /// Bytes from a place in the file on.
+    fn from(&self, start: u64) -> ParquetResult<Bytes> {
+        let place = start.checked_sub(self.first).and_then(|place| usize::try_from(place).ok());
+        let place = place.filter(|place| *place <= self.bytes.len());
+        Ok(self.bytes.slice(place.ok_or_else(|| ParquetError::EOF("beyond the row group".to_owned()))?..))
+    }
+}
+
+impl Length for GroupBytes {
+    fn len(&self) -> u64 {
+        self.first + self.bytes.len() as u64
+    }
+}
+
+impl ChunkReader for GroupBytes {
+    type T = Cursor<Bytes>;
+
+    fn get_read(&self, start: u64) -> ParquetResult<Self::T> {
+        self.from(start).map(Cursor::new)
+    }
+
+    fn get_bytes(&self, start: u64, length: usize) -> ParquetResult<Bytes> {
+        let bytes = self.from(start)?;
+        if length <= bytes.len() {
+            Ok(bytes.slice(..length))
+        } else {
+            Err(ParquetError::EOF("beyond the row group".to_owned()))
+        }
+    }
 }

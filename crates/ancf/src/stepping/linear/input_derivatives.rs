@@ -19,13 +19,13 @@ struct Differences {
 
 /// Returns the derivatives of functions of an input at the value `u`, or the number of a component without one.
 ///
-/// `of` computes the functions at u + h, and `rounding` bounds their rounding errors, given their values at u. The functions may depend on
-/// the input in any way, at any scale: of central differences with steps from 4e-9 to 1, extrapolated to zero, each component takes the
+/// `of` computes the functions at u + h, and `rounding` states their rounding errors, given their values at u. If these are strict bounds,
+/// kinks are found (`has_bounds`). The functions may depend on the input in any way, at any scale: of central differences with steps from 4e-9 to 1, extrapolated to zero, each component takes the
 /// one that differs least from that of the next smaller step. The steps increase as long as the differences agree better.
 pub(super) fn input_derivatives(
     u: f64,
     mut of: impl FnMut(f64) -> DVector<f64>,
-    rounding: impl Fn(&DVector<f64>) -> DVector<f64>,
+    (rounding, has_bounds): (impl Fn(&DVector<f64>) -> DVector<f64>, bool),
 ) -> Result<DVector<f64>, usize> {
     let (centre, size) = (of(0.0), u.abs().max(1.0));
     let bounds = rounding(&centre);
@@ -42,7 +42,7 @@ pub(super) fn input_derivatives(
             differences.forward.push((after[i] - centre[i]) / h);
             differences.backward.push((centre[i] - before[i]) / h);
         }
-        differences.derivative().ok_or(i)
+        differences.derivative(has_bounds).ok_or(i)
     };
     let derivatives = (0..centre.len()).map(component).collect::<Result<Vec<_>, _>>()?;
     Ok(DVector::from_vec(derivatives))
@@ -59,7 +59,7 @@ impl Differences {
     }
 
     /// Returns the derivative; `None` if the differences do not converge, or have two limits.
-    fn derivative(&self) -> Option<f64> {
+    fn derivative(&self, has_bounds: bool) -> Option<f64> {
         let levels = self.steps.len();
         let largest = (0..levels).map(|k| self.central(k).abs()).fold(0.0, f64::max);
         let change = |k: usize| (self.central(k) - self.central(k - 1)).abs();
@@ -77,7 +77,7 @@ impl Differences {
             }
         }
         let is_limit = change(best) <= DEVIATION * largest + self.noise(best);
-        (is_limit && !self.has_kink(largest))
+        (is_limit && !(has_bounds && self.has_kink(largest)))
             .then(|| self.central(best - 1) + (self.central(best - 1) - self.central(best)) / 15.0)
     }
 
@@ -98,7 +98,7 @@ mod tests {
     fn derivative(u: f64, f: impl Fn(f64) -> f64) -> Result<f64, usize> {
         let of = |h: f64| DVector::from_element(1, f(u + h));
         let rounding = |f: &DVector<f64>| f.map(|f| f64::EPSILON * f.abs());
-        input_derivatives(u, of, rounding).map(|derivatives| derivatives[0])
+        input_derivatives(u, of, (rounding, true)).map(|derivatives| derivatives[0])
     }
 
     /// Derivatives of smooth functions at any scale of the input, also near the ends of their domains.

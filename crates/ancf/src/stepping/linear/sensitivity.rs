@@ -114,7 +114,7 @@ impl Stepper {
         match change.input.zip(value) {
             Some((input, value)) => {
                 let rounding = |values: &DVector<f64>| values.map(|x| ROUNDING * x.abs());
-                input_derivatives(value, at, rounding).map_err(|column| (input, column))
+                input_derivatives(value, at, (rounding, false)).map_err(|column| (input, column))
             }
             None => Ok((at(h) - at(-h)) / (2.0 * h)),
         }

@@ -108,7 +108,7 @@ impl Stepper {
                 signal.set(InputTransition { values: [value + h; 2], ..own });
                 self.forces_at(s)
             };
-            let change = input_derivatives(value, at, |_| floor.clone());
+            let change = input_derivatives(value, at, (|_: &DVector<f64>| floor.clone(), true));
             signal.set(own);
             let place = |i: usize| self.simulation.assembly.name_in(i, self.simulation.scales().length);
             let change =

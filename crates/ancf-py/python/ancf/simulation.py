@@ -119,7 +119,9 @@ class State:
 
     def copy(self) -> State:
         """Return a copy."""
-        return State(self.time, self.coordinates.copy(), self.velocities.copy(), self.angles.copy(), self._layout)
+        return State(
+            self.time, self.coordinates.copy(), self.velocities.copy(), self.angles.copy(), self._layout
+        )
 
 
 @dataclass(frozen=True, eq=False)

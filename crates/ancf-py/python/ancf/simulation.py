@@ -298,8 +298,8 @@ class Simulation:
     def set_state(self, state: State) -> Projection:
         """Continue from a state and return its correction by the projection onto the constraints.
 
-        Accelerations and multipliers are computed, and the energy balance begins anew. Inputs keep their values. Angles of
-        hinges and sensors have the turns nearest to those of the state.
+        Accelerations and multipliers are computed, and the energy balance begins anew. Inputs keep their values. Angles
+        of hinges and sensors have the turns nearest to those of the state.
         """
         arrays = (state.coordinates, state.velocities, state.angles)
         numbers = [np.ascontiguousarray(one, float) for one in arrays]

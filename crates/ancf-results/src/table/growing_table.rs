@@ -9,8 +9,9 @@ use parquet::file::properties::{EnabledStatistics, WriterProperties, WriterPrope
 use parquet::file::writer::SerializedFileWriter;
 
 use super::checksums;
+use super::collected::Collected;
 use super::layout::Layout;
-use super::merge::{buffered, merge, split};
+use super::merge::{merge, split};
 use super::parts::{part, part_numbers, parts_folder};
 use super::provenance::{PROGRAM, Provenance};
 use super::reader::{Reader, rows_of_part};
@@ -149,8 +150,11 @@ impl GrowingTable {
 
     /// Writes the rows of the last part.
     fn write(&self, file: &File) -> io::Result<()> {
-        let mut writer =
-            SerializedFileWriter::new(buffered(file), self.layout.schema()?, Arc::clone(&self.properties))?;
+        let mut writer = SerializedFileWriter::new(
+            Collected::new(file),
+            self.layout.schema()?,
+            Arc::clone(&self.properties),
+        )?;
         let mut group = writer.next_row_group()?;
         let rows = || self.open.chunks_exact(self.layout.width());
         let mut values = Vec::new();
@@ -168,7 +172,7 @@ impl GrowingTable {
         }
         group.close()?;
         writer.append_key_value_metadata(checksums::placeholder(1));
-        writer.into_inner()?.into_inner().map_err(io::IntoInnerError::into_error)?;
+        writer.into_inner()?.finish()?;
         checksums::write(file)
     }
 

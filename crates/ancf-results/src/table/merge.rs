@@ -1,5 +1,5 @@
 use std::fs::{self, File};
-use std::io::{self, BufWriter, Cursor, Read, Seek, SeekFrom};
+use std::io::{self, Cursor, Read, Seek, SeekFrom};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -12,6 +12,7 @@ use parquet::file::reader::{ChunkReader, Length};
 use parquet::file::writer::SerializedFileWriter;
 
 use super::checksums;
+use super::collected::Collected;
 use super::layout::Layout;
 use super::parts::part;
 use super::reader::is_sound;
@@ -25,7 +26,8 @@ pub(crate) fn merge(
     properties: &WriterPropertiesPtr,
 ) -> io::Result<()> {
     let write = |file: &File| {
-        let mut writer = SerializedFileWriter::new(buffered(file), layout.schema()?, Arc::clone(properties))?;
+        let mut writer =
+            SerializedFileWriter::new(Collected::new(file), layout.schema()?, Arc::clone(properties))?;
         let mut groups = 0;
         for path in from {
             let (file, metadata) = open(path).map_err(|error| with_path(&error, path))?;
@@ -35,7 +37,7 @@ pub(crate) fn merge(
             groups += metadata.num_row_groups();
         }
         writer.append_key_value_metadata(checksums::placeholder(groups));
-        writer.into_inner()?.into_inner().map_err(io::IntoInnerError::into_error)?;
+        writer.into_inner()?.finish()?;
         checksums::write(file)
     };
     write_atomically(to, write).map_err(|error| with_path(&error, to))
@@ -58,10 +60,10 @@ pub(crate) fn split(
             let name = part(from, group).file_name().map(PathBuf::from).unwrap_or_default();
             let own = create(&unfinished.join(name))?;
             let mut writer =
-                SerializedFileWriter::new(buffered(&own), layout.schema()?, Arc::clone(properties))?;
+                SerializedFileWriter::new(Collected::new(&own), layout.schema()?, Arc::clone(properties))?;
             copy(&file, &metadata, group, &mut writer)?;
             writer.append_key_value_metadata(checksums::placeholder(1));
-            writer.into_inner()?.into_inner().map_err(io::IntoInnerError::into_error)?;
+            writer.into_inner()?.finish()?;
             checksums::write(&own)?;
         }
         rename(&unfinished, to)
@@ -87,7 +89,7 @@ fn copy(
     file: &File,
     metadata: &ParquetMetaData,
     group: usize,
-    writer: &mut SerializedFileWriter<BufWriter<&File>>,
+    writer: &mut SerializedFileWriter<Collected<'_>>,
 ) -> io::Result<()> {
     let from = metadata.row_group(group);
     let index = metadata.page_index();
@@ -111,19 +113,11 @@ fn copy(
     Ok(())
 }
 
-/// Bytes of a row group. Thousands of columns of a few kilobytes each are read and written at once.
+/// Bytes of a row group: thousands of columns of a few kilobytes each are read at once.
 struct GroupBytes {
     /// Place of the first byte in the file.
     first: u64,
     bytes: Bytes,
-}
-
-/// Capacity of the writer of a table.
-const BUFFER: usize = 1 << 20;
-
-/// Returns a writer of a file that collects columns.
-pub(super) fn buffered(file: &File) -> BufWriter<&File> {
-    BufWriter::with_capacity(BUFFER, file)
 }
 
 impl GroupBytes {

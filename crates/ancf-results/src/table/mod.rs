@@ -1,6 +1,7 @@
 //! Tables of a run as Parquet files: written in parts, merged at the end, and read at any time.
 
 mod checksums;
+mod collected;
 mod growing_table;
 mod layout;
 mod merge;

@@ -280,8 +280,8 @@ class Simulation:
 
         An assigned state is projected onto the constraints, with a warning if it moves.
         """
-        time, numbers = self._stepper.state()
-        return State(time, *numbers, self._stepper.layout())
+        time, (coordinates, velocities, angles) = self._stepper.state()
+        return State(time, coordinates, velocities, angles, self._stepper.layout())
 
     @state.setter
     def state(self, state: State) -> None:

@@ -3,7 +3,7 @@ use ancf_solver::equations::{EquationsOfMotion, State, Weights};
 use ancf_solver::sparse::SparseMatrix;
 use nalgebra::DVector;
 
-use super::kinks::has_kink;
+use super::kinks::Kinks;
 use super::shapes::{DAMPED_COLUMNS, MAX_RESIDUAL};
 use crate::initial::StartState;
 use crate::model::{Model, Modes};
@@ -33,9 +33,9 @@ impl AnalysisRun<'_> {
             let found = damped_modes(system, matrix.clone(), &s, count, self.interrupt)?;
             let mut damping = matrix;
             system.tangent(&s, Weights { q: 0.0, v: 1.0, a: 0.0 }, &mut damping);
+            let kinks = Kinks::new(system, &s);
             let is_smooth = |mode: &DampedMode| {
-                is_differentiable(system, &damping, &s, mode)
-                    && !mode.shape.iter().any(|x| has_kink(system, &s, x))
+                is_differentiable(system, &damping, &s, mode) && !mode.shape.iter().any(|x| kinks.has_kink(x))
             };
             if !found.modes.iter().all(is_smooth) {
                 return Err(EigenError::NotDifferentiable.into());

@@ -2,7 +2,7 @@ use ancf_solver::eigen::{ComplexMode, EigenError, Mode, SturmCount, modes, nonco
 use ancf_solver::equations::{EquationsOfMotion, State};
 use ancf_solver::newton::Interrupt;
 
-use super::kinks::has_kink;
+use super::kinks::Kinks;
 use super::shapes::{MAX_RESIDUAL, MODE_COLUMNS, state_about};
 use crate::assembly::Assembly;
 use crate::estimate::{DiscretisationErrors, FrequencyErrors, GIVEN_START, GapField, HalvedModel};
@@ -101,7 +101,8 @@ impl FoundModes {
 
 /// Rejects modes about a state in which forces have kinks along them: there is no stiffness.
 fn require_slopes(system: &dyn EquationsOfMotion, s: &State, modes: &[FoundMode]) -> Result<(), RunFailure> {
-    let is_smooth = modes.iter().all(|mode| !has_kink(system, s, &mode.shape));
+    let kinks = Kinks::new(system, s);
+    let is_smooth = modes.iter().all(|mode| !kinks.has_kink(&mode.shape));
     if is_smooth { Ok(()) } else { Err(EigenError::NotDifferentiable.into()) }
 }
 

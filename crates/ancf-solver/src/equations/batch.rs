@@ -209,7 +209,7 @@ impl GatheredLanes {
     const EMPTY: Self =
         Self { q: Self::NONE, v: Self::NONE, a: Self::NONE, lambda: Self::NONE, rows: Self::NONE };
 
-    /// Gathers a state and the coordinates of another one, in the place of accelerations.
+    /// Gathers a state and the coordinates of another one, which are stored as accelerations.
     pub(crate) fn gather_pair<'a>(
         &'a mut self,
         [s, other]: [&State; 2],

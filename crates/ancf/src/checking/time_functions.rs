@@ -94,6 +94,9 @@ fn rule_of_law(
     signals: &[(String, InputSignal)],
 ) -> Option<Finding> {
     let JointLaw::Expression { text, .. } = one.law else { return None };
+    if let Some(error) = rule_of_words(path, one.law) {
+        return Some(error);
+    }
     let key = format!("{path}.text");
     let law = match one.law.expression(one.kind, 1.0, signals) {
         Ok(law) => law?,
@@ -113,6 +116,19 @@ fn rule_of_law(
     let value = law.at(LawState { t: 0.0, x: 0.0, v: 0.0 }).force;
     let found = format!("a formula that is {value} at x = 0, v = 0, t = 0");
     (!value.is_finite()).then(|| finding(key, found, "one that is a number"))
+}
+
+/// Finding for names of states and signals that no formula can contain. They are also parts of the names of columns.
+fn rule_of_words(path: &str, law: &JointLaw) -> Option<Finding> {
+    let states = law.states().iter().enumerate().map(|(k, state)| ("states", k, &state.name));
+    let signals = law.signals().iter().enumerate().map(|(k, signal)| ("signals", k, &signal.name));
+    let is_word = |name: &str| {
+        name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
+            && !name.starts_with(|c: char| c.is_ascii_digit())
+    };
+    let (list, k, name) = states.chain(signals).find(|(.., name)| !is_word(name))?;
+    let expected = "letters from a to z, digits and _, with no digit at the start: it is a word of formulas";
+    Some(finding(format!("{path}.{list}[{k}].name"), quoted(name), expected))
 }
 
 /// Finding for the states and signals of a force law: names, formulas of rates, analyses without them, and laws of struts, which have

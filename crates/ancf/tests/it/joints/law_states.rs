@@ -219,6 +219,13 @@ fn errors_of_states_have_their_places() {
     assert!(syntax.contains("joints[0].force.states[0].rate: found its end at character 4"), "{syntax}");
     let taken = message("{ name = \"z\", rate = \"x\" }, { name = \"v\", rate = \"x\" }", "");
     assert!(taken.contains("joints[0].force.states[1].name: found \"v\", expected another name"), "{taken}");
+    for name in ["a b", "a.b", "1a", "\u{e9}", "a\\nb"] {
+        let word = message(&format!("{{ name = \"{name}\", rate = \"x\" }}"), "");
+        assert!(
+            word.contains("joints[0].force.states[0].name: found") && word.contains("a word of formulas"),
+            "{word}"
+        );
+    }
     let infinite = message("{ name = \"z\", rate = \"1/x\" }", "");
     assert!(infinite.contains("states[0].rate: found a formula that is inf at the start"), "{infinite}");
     let errors = message("{ name = \"z\", rate = \"x\" }", "output = { errors = true }\n");

@@ -1,5 +1,6 @@
 //! Hydrodynamic loads: drag, added mass and buoyancy.
 
+mod blocks;
 mod flow_field;
 mod hydrodynamic_loads;
 mod morison;

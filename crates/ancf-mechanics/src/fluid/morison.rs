@@ -3,6 +3,7 @@ use std::sync::Arc;
 use ancf_solver::equations::{Energy, Local, LocalMatrix, Term, Weights};
 use nalgebra::{Matrix3, Vector3};
 
+use super::blocks::{each_entry, entry, visit_skew};
 use super::flow_field::{FlowField, FluidMotion, HydroCoefficients, RelativeFlow};
 use crate::kinematics::ElementAxis;
 
@@ -94,22 +95,6 @@ fn size(weights: &[f64; 4], x: &[f64]) -> f64 {
     vectors(x).zip(weights).map(|(x, w)| x.norm() * w.abs()).sum()
 }
 
-/// Derivatives by the vectors of an element.
-type Blocks = [[Matrix3<f64>; 4]; 4];
-
-/// Skew entries of this size, relative to the derivative, are rounding errors.
-const NEGLIGIBLE: f64 = 1e-13;
-
-/// Returns an entry by its row and column.
-fn entry(blocks: &Blocks, row: usize, column: usize) -> f64 {
-    blocks[row / 3][column / 3][(row % 3, column % 3)]
-}
-
-/// Calls `visit` with the rows and columns of the lower triangle of n vectors.
-fn each_entry(n: usize, mut visit: impl FnMut(usize, usize)) {
-    (0..3 * n).for_each(|row| (0..=row).for_each(|column| visit(row, column)));
-}
-
 impl Term for MorisonLoad {
     fn coordinates(&self) -> &[usize] {
         &self.coordinates
@@ -156,29 +141,18 @@ impl Term for MorisonLoad {
                 }
             }
         }
-        each_entry(n, |i, j| k.add(i, j, entry(&blocks, i, j)));
+        each_entry(3 * n, |i, j| k.add(i, j, entry(&blocks, i, j)));
     }
 
     fn skew_stiffness(&self, at: &Local<'_>, visit: &mut dyn FnMut(usize, usize, f64)) {
-        let (fluid, n) = (self.fluid.motion(at.t), self.coordinates.len() / 3);
-        let (mut blocks, mut largest) = ([[Matrix3::zeros(); 4]; 4], 0.0_f64);
+        let (fluid, mut blocks) = (self.fluid.motion(at.t), [[Matrix3::zeros(); 4]; 4]);
         for station in &self.stations {
-            let (values, slopes) = (&station.values, &station.slopes);
-            let half = station.coefficients.derivatives(&station.flow(at, &fluid)).gradient * -0.5;
-            for i in 0..n {
-                for j in 0..=i {
-                    let parts = [half * (values[i] * slopes[j]), half.transpose() * (slopes[i] * values[j])];
-                    largest = parts.iter().map(Matrix3::amax).fold(largest, f64::max);
-                    blocks[i][j] += parts[0] - parts[1];
-                }
+            let by = station.coefficients.derivatives(&station.flow(at, &fluid)).gradient;
+            for (row, value) in blocks.iter_mut().zip(station.values) {
+                row.iter_mut().zip(station.slopes).for_each(|(block, slope)| *block -= by * (value * slope));
             }
         }
-        each_entry(n, |i, j| {
-            let value = entry(&blocks, i, j);
-            if i > j && value.abs() > NEGLIGIBLE * largest {
-                visit(i, j, value);
-            }
-        });
+        visit_skew(&blocks, self.coordinates.len(), visit);
     }
 
     fn energy(&self, at: &Local<'_>) -> Energy {

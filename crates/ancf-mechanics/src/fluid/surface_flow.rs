@@ -3,6 +3,7 @@ use std::sync::Arc;
 use ancf_solver::equations::{Energy, Local, LocalMatrix, Term, Weights};
 use nalgebra::{Matrix3, SMatrix, Vector3};
 
+use super::blocks::{Blocks, each_entry, entry, visit_skew};
 use super::flow_field::{FlowField, FluidMotion, HydroCoefficients, HydroSurface, RelativeFlow};
 use crate::bodies::BodyTerms;
 use crate::kinematics::Marker;
@@ -39,17 +40,6 @@ struct SurfaceStation {
     tangents: [Marker; 2],
     coefficients: HydroCoefficients,
 }
-
-/// Derivatives by the vectors of an element.
-type Blocks = [[Matrix3<f64>; VECTORS]; VECTORS];
-
-/// Returns an entry by its row and column.
-fn entry(blocks: &Blocks, row: usize, column: usize) -> f64 {
-    blocks[row / 3][column / 3][(row % 3, column % 3)]
-}
-
-/// Skew entries of this size, relative to the derivative, are rounding errors.
-const NEGLIGIBLE: f64 = 1e-13;
 
 /// State of the surface at a point.
 struct StationState {
@@ -130,7 +120,7 @@ impl SurfaceFlowLoad {
     }
 
     /// Computes the derivative of the residual along dq = w_q z, dv = w_v z, da = w_a z, in blocks of vectors.
-    fn blocks(&self, at: &Local<'_>, w: Weights) -> Box<Blocks> {
+    fn blocks(&self, at: &Local<'_>, w: Weights) -> Box<Blocks<VECTORS>> {
         let (fluid, n) = (self.fluid.motion(at.t), self.coordinates.len() / 3);
         let mut blocks = Box::new([[Matrix3::zeros(); VECTORS]; VECTORS]);
         for (station, weights) in self.stations.iter().zip(self.weights.chunks_exact(n)) {
@@ -146,21 +136,9 @@ impl SurfaceFlowLoad {
         blocks
     }
 
-    /// Calls `visit` with the row and the column of each entry of the lower triangle.
-    fn each_entry(&self, mut visit: impl FnMut(usize, usize)) {
-        (0..self.coordinates.len()).for_each(|row| (0..=row).for_each(|column| visit(row, column)));
-    }
-
     /// Visits the lower entries of the skew part of the derivative.
     fn visit_skew(&self, at: &Local<'_>, w: Weights, visit: &mut dyn FnMut(usize, usize, f64)) {
-        let blocks = self.blocks(at, w);
-        let largest = blocks.iter().flatten().map(Matrix3::amax).fold(0.0, f64::max);
-        self.each_entry(|row, column| {
-            let value = 0.5 * (entry(&blocks, row, column) - entry(&blocks, column, row));
-            if row > column && value.abs() > NEGLIGIBLE * largest {
-                visit(row, column, value);
-            }
-        });
+        visit_skew(&self.blocks(at, w), self.coordinates.len(), visit);
     }
 
     /// Calls `visit` with each station and its state.
@@ -203,7 +181,7 @@ impl Term for SurfaceFlowLoad {
 
     fn tangent(&self, at: &Local<'_>, w: Weights, k: &mut LocalMatrix<'_>) {
         let blocks = self.blocks(at, w);
-        self.each_entry(|row, column| {
+        each_entry(self.coordinates.len(), |row, column| {
             k.add(row, column, 0.5 * (entry(&blocks, row, column) + entry(&blocks, column, row)));
         });
     }

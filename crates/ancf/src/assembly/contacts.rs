@@ -82,6 +82,13 @@ impl IndexedModel<'_> {
         })
     }
 
+    /// Bodies with their names, and their undeformed state.
+    fn undeformed(&self) -> (Vec<(String, BodyTerms)>, State) {
+        let built = self.meshes();
+        let begin = State::rest(built.iter().map(|(_, terms)| terms.coordinates()).sum(), 0);
+        (built, begin)
+    }
+
     /// Properties of the bodies in contact with each other, in the undeformed state.
     pub(crate) fn mutual_geometry(&self) -> MutualGeometry {
         let mutual = || self.contacts.iter().filter(|contact| contact.with.obstacle().is_none());
@@ -89,8 +96,7 @@ impl IndexedModel<'_> {
         if mutual().next().is_none() {
             return found;
         }
-        let built = self.meshes();
-        let begin = State::rest(built.iter().map(|(_, terms)| terms.coordinates()).sum(), 0);
+        let (built, begin) = self.undeformed();
         for contact in mutual() {
             let [(lines, tubes), (shells, surfaces)] = self
                 .contact_bodies(contact, &built)
@@ -118,8 +124,7 @@ impl IndexedModel<'_> {
         if self.contacts.iter().all(|contact| contact.with.obstacle().is_none()) {
             return Vec::new();
         }
-        let built = self.meshes();
-        let begin = State::rest(built.iter().map(|(_, terms)| terms.coordinates()).sum(), 0);
+        let (built, begin) = self.undeformed();
         let of = |(number, contact): (usize, &Contact)| {
             let bodies: Vec<_> = self.contact_bodies(contact, &built).into_iter().flatten().collect();
             let (numbers, geometry): (Vec<usize>, Vec<ContactGeometry>) = bodies.into_iter().unzip();

@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 use super::findings::{COINCIDENT, body};
 use crate::errors::{Finding, finding, is_direction, no_direction, number, quoted};
 use crate::joints::{Coupled, End, Joint, JointActions, JointCoordinate};
-use crate::model::{Analysis, IndexedModel, TimeFunction, Varying, joints_of};
+use crate::model::{Analysis, IndexedModel, Place, TimeFunction, Varying, joints_of};
 use crate::schema::unknown;
 
 /// Checks that axes are directions.
@@ -35,13 +35,8 @@ pub(crate) fn spans(model: &IndexedModel<'_>) -> Vec<Finding> {
             (true, End::Ground) if !joint.kind().may_coincide() => Some(finding(key, "\"ground\"", expected)),
             (true, b) if !joint.kind().may_coincide() => {
                 let (_, body) = body(model, a)?;
-                let there = match b {
-                    End::Place(place) => model.point(place)?,
-                    End::Point(ground) => Vector3::from(ground.point),
-                    End::Ground => return None,
-                };
                 let length = if body.is_flexible() { body.length() } else { model.length() };
-                let apart = (model.point(a)? - there).norm();
+                let apart = initial_distance(model, a, b)?;
                 let rests_on = ["bodies".to_owned(), format!("{path}.a")];
                 let expected = "one that is elsewhere; \"bushing\" is a spring between points that coincide";
                 (apart <= COINCIDENT * length)
@@ -57,6 +52,16 @@ pub(crate) fn spans(model: &IndexedModel<'_>) -> Vec<Finding> {
     joints_of(model).filter_map(rule).collect()
 }
 
+/// Returns the distance of the ends of a joint in the undeformed state; `None` for the ground without a point.
+fn initial_distance(model: &IndexedModel<'_>, a: &Place, b: &End) -> Option<f64> {
+    let there = match b {
+        End::Place(place) => model.point(place)?,
+        End::Point(ground) => Vector3::from(ground.point),
+        End::Ground => return None,
+    };
+    Some((model.point(a)? - there).norm())
+}
+
 /// Number of instants at which lengths that vary in time are checked.
 const INSTANTS: u32 = 1000;
 
@@ -64,12 +69,7 @@ const INSTANTS: u32 = 1000;
 pub(crate) fn lengths(model: &IndexedModel<'_>) -> Vec<Finding> {
     let rule = |(path, joint): (String, &Joint)| {
         let Joint::Distance(rod) = joint else { return None };
-        let there = match &rod.b {
-            End::Place(place) => model.point(place)?,
-            End::Point(ground) => Vector3::from(ground.point),
-            End::Ground => return None,
-        };
-        let initial = (model.point(&rod.a)? - there).norm();
+        let initial = initial_distance(model, &rod.a, &rod.b)?;
         let factors: Vec<f64> = match &model.analysis {
             Analysis::Dynamics(own) => {
                 let function = rod.time.compile().ok()?;

@@ -49,7 +49,7 @@ impl BallContact {
     /// Calls `visit` with each ball that touches the obstacle, its normal force, and the values and velocities of its markers.
     fn visit(&self, at: &Local<'_>, mut visit: impl FnMut(&ContactPoint, f64, [&BallValues<f64>; 2])) {
         self.contact.visit(at.q, |point, x| {
-            let normal = self.contact.normal_force(point, [x, &self.contact.sums(point, at.v)]);
+            let (normal, ..) = self.contact.normal_force(point, [x, &self.contact.sums(point, at.v)]);
             let markers = self.markers(point);
             let values = markers.map(|marker| marker.reference() + marker.sum(at.q));
             let rates = markers.map(|marker| marker.sum(at.v));

@@ -102,12 +102,17 @@ impl ObstacleContact {
         self.shape.gap(d, &combine(axes, &self.axis)).1
     }
 
-    /// Computes the normal force of a point, given the values and the velocities of its markers.
-    pub(super) fn normal_force(&self, point: &ContactPoint, [x, v]: [&MarkerValues<f64>; 2]) -> f64 {
+    /// Computes the normal force of a point and the gradients of the gap by d and by a, given the values and the velocities of its
+    /// markers.
+    pub(super) fn normal_force<D: Real>(
+        &self,
+        point: &ContactPoint,
+        [x, v]: [&MarkerValues<D>; 2],
+    ) -> (D, Vector3<D>, Vector3<D>) {
         let ([d, axes @ ..], [rate, spins @ ..]) = (parts(x), parts(v));
         let (gap, n, b) = self.shape.gap(&d, &combine(&axes, &self.axis));
         let closing = n.dot(&rate) + b.dot(&combine(&spins, &self.axis));
-        self.law.normal(gap - self.radius(point), closing) * point.extent
+        (self.law.smooth_normal(gap - self.radius(point), closing) * point.extent, n, b)
     }
 
     /// Computes the generalised forces on d, x, y and z of a point.
@@ -118,9 +123,7 @@ impl ObstacleContact {
         v: &MarkerValues<D>,
     ) -> MarkerValues<D> {
         let ([d, axes @ ..], [rate, spins @ ..]) = (parts(x), parts(v));
-        let (gap, n, b) = self.shape.gap(&d, &combine(&axes, &self.axis));
-        let closing = n.dot(&rate) + b.dot(&combine(&spins, &self.axis));
-        let normal = self.law.smooth_normal(gap - self.radius(point), closing) * point.extent;
+        let (normal, n, b) = self.normal_force(point, [x, v]);
         let reach = components(&axes, &d);
         let relative_velocity: Vector3<D> =
             spins.iter().zip(&reach).map(|(spin, r)| spin.map(|x| x * *r)).fold(rate, |w, part| w - part);

@@ -80,13 +80,13 @@ pub(crate) fn tangent(term: &dyn Term, at: &Sample, w: Weights) -> DMatrix<f64> 
     DMatrix::from_fn(size, size, |i, j| k.get(i.max(j), i.min(j)))
 }
 
-/// Evaluates the stiffness with the stresses that a linear system at another state predicts.
-pub(crate) fn predicted_stiffness(term: &dyn Term, at: &Sample, from: &Sample) -> DMatrix<f64> {
+/// Evaluates the change of the stiffness by the stresses that a linear system at another state predicts.
+pub(crate) fn stress_prediction(term: &dyn Term, at: &Sample, from: &Sample) -> DMatrix<f64> {
     let size = at.q.len() + at.lambda.len();
     let mut storage = [0.0; LOCAL * LOCAL];
     let mut k = LocalMatrix::zero(size, &mut storage);
     term.stress_prediction(&at.local(), &from.local(), &mut k);
-    tangent(term, at, Weights::STIFFNESS) + DMatrix::from_fn(size, size, |i, j| k.get(i.max(j), i.min(j)))
+    DMatrix::from_fn(size, size, |i, j| k.get(i.max(j), i.min(j)))
 }
 
 /// Evaluates the stiffness caused by the stresses of an increment z = (dq, dλ) and of a load increment.

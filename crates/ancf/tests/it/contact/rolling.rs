@@ -1,25 +1,14 @@
 //! Balls of rigid bodies roll on obstacles.
 
-use ancf::record::Series;
-use ancf::{Model, simulate};
 use nalgebra::Vector3;
 
 use crate::common::assertions::assert_relative;
-
-fn run(text: &str) -> Series {
-    let (model, mut series) = (Model::parse(text).unwrap(), Series::new());
-    let summary = simulate(&model, &mut series).unwrap();
-    assert!(summary.outcome.is_finished(), "{:?}", summary.outcome);
-    series
-}
-
-fn last(series: &Series, name: &str) -> f64 {
-    *series.column(name).unwrap().last().unwrap()
-}
+use crate::common::models::parse;
+use crate::common::solutions::Run;
 
 /// A homogeneous ball of 2 kg on a plane, with the motion, the gravity and the scheme of the test.
-fn ball(motion: &str, gravity: [f64; 3], scheme: &str) -> Series {
-    run(&format!(
+fn ball(motion: &str, gravity: [f64; 3], scheme: &str) -> Run {
+    Run::of(&parse(&format!(
         r#"
         gravity = {gravity:?}
         bodies = [{{ kind = "rigid", name = "ball", center = [0, 0, 0.05], mass = 2, inertia = [2e-3, 2e-3, 2e-3], surface = {{ radius = 0.05 }}, motion = {motion} }}]
@@ -27,7 +16,7 @@ fn ball(motion: &str, gravity: [f64; 3], scheme: &str) -> Series {
         contacts = [{{ with = {{ kind = "plane", point = [0, 0, 0], normal = [0, 0, 1] }}, stiffness = 1e6, friction = 0.3, slip_speed = 1e-3, damping = 5 }}]
         analysis = {{ kind = "dynamics", duration = 0.5, step = 1e-3, scheme = {scheme} }}
         "#
-    ))
+    )))
 }
 
 const GRAVITY: [f64; 3] = [0.0, 0.0, -9.81];
@@ -40,13 +29,13 @@ fn sliding_becomes_rolling() {
     for scheme in SCHEMES {
         for (velocity, spin, rolling) in [(1.0, 0.0, 5.0 / 7.0), (0.0, 20.0, 2.0 / 7.0), (1.0, 20.0, 1.0)] {
             let motion = format!("{{ velocity = [{velocity:?}, 0, 0], spin = [0, {spin:?}, 3] }}");
-            let series = ball(&motion, GRAVITY, scheme);
-            assert_relative(scheme, last(&series, "p.vx"), rolling, 1e-3);
-            assert_relative(scheme, last(&series, "p.wy"), rolling / 0.05, 1e-3);
-            assert_relative(scheme, last(&series, "p.wz"), 3.0, 1e-3);
+            let run = ball(&motion, GRAVITY, scheme);
+            assert_relative(scheme, run.last("p.vx"), rolling, 1e-3);
+            assert_relative(scheme, run.last("p.wy"), rolling / 0.05, 1e-3);
+            assert_relative(scheme, run.last("p.wz"), 3.0, 1e-3);
             // The ball settles on the plane by 0.2 mm, with a work of 4 mJ.
             let before: f64 = velocity * velocity + 1e-3 * spin * spin;
-            let lost = last(&series, "dissipated") - (before - 1.4 * rolling * rolling);
+            let lost = run.last("dissipated") - (before - 1.4 * rolling * rolling);
             assert!(lost.abs() < 1e-2, "{scheme}: {lost}");
         }
     }
@@ -57,16 +46,16 @@ fn sliding_becomes_rolling() {
 fn ball_rolls_down_an_incline() {
     let slope = 0.3_f64;
     let gravity = [9.81 * slope.sin(), 0.0, -9.81 * slope.cos()];
-    let series = ball("{ velocity = [0, 0, 0] }", gravity, SCHEMES[0]);
-    assert_relative("speed", last(&series, "p.vx"), 5.0 / 7.0 * 9.81 * slope.sin() * 0.5, 2e-3);
-    assert_relative("spin", last(&series, "p.wy"), last(&series, "p.vx") / 0.05, 2e-3);
+    let run = ball("{ velocity = [0, 0, 0] }", gravity, SCHEMES[0]);
+    assert_relative("speed", run.last("p.vx"), 5.0 / 7.0 * 9.81 * slope.sin() * 0.5, 2e-3);
+    assert_relative("spin", run.last("p.wy"), run.last("p.vx") / 0.05, 2e-3);
 }
 
 /// A spinning ball that grazes a free body with a spherical obstacle: momentum and angular momentum are conserved, and the bodies turn.
 #[test]
 fn grazing_balls_conserve_momenta() {
     for scheme in SCHEMES {
-        let series = run(&format!(
+        let run = Run::of(&parse(&format!(
             r#"
             bodies = [
               {{ kind = "rigid", name = "a", center = [0, 0, 0], mass = 1, inertia = [0.01, 0.02, 0.015], surface = {{ radius = 0.1 }}, motion = {{ velocity = [2, 0, 0], spin = [5, -20, 30] }} }},
@@ -79,14 +68,12 @@ fn grazing_balls_conserve_momenta() {
             contacts = [{{ with = {{ kind = "sphere", center = [0.4, 0.1, 0.05], radius = 0.15, on = {{ body = "b", at = "center" }} }}, stiffness = 1e5, friction = 0.4, slip_speed = 1e-2, damping = 0.1 }}]
             analysis = {{ kind = "dynamics", duration = 0.15, step = 1e-4, scheme = {scheme} }}
             "#
-        ));
+        )));
         let vector = |at: usize, name: &str| {
-            Vector3::from(
-                [0, 1, 2].map(|axis| series.column(&format!("{name}{}", ["x", "y", "z"][axis])).unwrap()[at]),
-            )
+            Vector3::from([0, 1, 2].map(|axis| run.column(&format!("{name}{}", ["x", "y", "z"][axis]))[at]))
         };
         let (mut momenta, mut spins) = (Vec::new(), Vec::new());
-        let count = series.column("a.x").unwrap().len();
+        let count = run.column("a.x").len();
         for at in [0, count - 1] {
             let (mut linear, mut angular) = (Vector3::zeros(), Vector3::zeros());
             for (body, mass) in [("a", 1.0), ("b", 3.0)] {
@@ -101,14 +88,8 @@ fn grazing_balls_conserve_momenta() {
         assert!((spins[3] - spins[1]).norm() > 0.5, "{scheme}: the free body turns by {}", spins[3]);
         // About the normal of a sphere, both bodies have their own angular momentum: only the sum is checked.
         let own = |body: &str, inertia: [f64; 3], at: usize| {
-            let q =
-                ["e0", "e1", "e2", "e3"].map(|name| series.column(&format!("{body}.{name}")).map(|c| c[at]));
-            let rotation = match q {
-                [Some(w), Some(x), Some(y), Some(z)] => {
-                    nalgebra::UnitQuaternion::from_quaternion(nalgebra::Quaternion::new(w, x, y, z))
-                }
-                _ => panic!("columns of the rotation"),
-            };
+            let [w, x, y, z] = ["e0", "e1", "e2", "e3"].map(|name| run.column(&format!("{body}.{name}"))[at]);
+            let rotation = nalgebra::UnitQuaternion::from_quaternion(nalgebra::Quaternion::new(w, x, y, z));
             let local = rotation.inverse() * vector(at, &format!("{body}.w"));
             rotation * Vector3::from_fn(|i, _| inertia[i] * local[i])
         };
@@ -124,8 +105,8 @@ fn grazing_balls_conserve_momenta() {
 #[test]
 fn balls_come_to_rest() {
     for scheme in SCHEMES {
-        let series = ball("{ velocity = [0, 0, -0.1] }", GRAVITY, scheme);
-        let [height, speed] = ["p.z", "p.vz"].map(|name| last(&series, name));
+        let run = ball("{ velocity = [0, 0, -0.1] }", GRAVITY, scheme);
+        let [height, speed] = ["p.z", "p.vz"].map(|name| run.last(name));
         // Depth of the weight p = m g/(2 R) in the transition, √(2δp/k).
         assert!(
             (height - (0.05 - (2.0 * 1e-3 * 2.0 * 9.81 / 1e5_f64).sqrt())).abs() < 1e-6 && speed.abs() < 1e-6,

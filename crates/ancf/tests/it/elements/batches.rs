@@ -14,7 +14,7 @@ use nalgebra::{DMatrix, DVector, Vector3};
 use crate::common::models::beams::{BY_KIND, BeamCase, beam_cases};
 use crate::common::models::{parse, rod};
 use crate::common::random::Random;
-use crate::common::sample::{Sample, predicted_stiffness, residual, tangent};
+use crate::common::sample::{Sample, residual, stress_prediction, tangent};
 
 /// Elements of a body: one full batch and one of three elements.
 const ELEMENTS: u32 = 11;
@@ -243,7 +243,8 @@ fn assert_same(case: &BatchCase, random: &mut Random, amplitude: f64) {
         let before: Vec<Sample> = states.iter().map(|s| Sample { q: &s.q * 0.8, ..s.clone() }).collect();
         let from = Gathered::new(&before);
         for (lane, (term, (s, before))) in terms.iter().zip(states.iter().zip(&before)).enumerate() {
-            let expected = predicted_stiffness(term.as_ref(), s, before);
+            let expected =
+                tangent(term.as_ref(), s, Weights::STIFFNESS) + stress_prediction(term.as_ref(), s, before);
             let found =
                 batch_matrix(batch, rows.len(), lane, |k| batch.predicted_stiffness(&at, &from.0[0], k));
             let error = (found - &expected).amax() / expected.amax().max(1e-300);

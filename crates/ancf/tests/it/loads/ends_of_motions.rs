@@ -1,9 +1,8 @@
 //! Functions of time with a kink or a jump at the end of a motion.
 
-use ancf::record::Series;
-use ancf::{Model, simulate};
-
 use crate::common::assertions::assert_relative;
+use crate::common::models::parse;
+use crate::common::solutions::Run;
 
 /// Velocity and kinetic energy at the end of a mass on a spring, on a ground that begins to rotate by a ramp up to the end.
 fn end_of_ramp(step: &str) -> [f64; 2] {
@@ -16,11 +15,9 @@ fn end_of_ramp(step: &str) -> [f64; 2] {
         analysis = {{ kind = "dynamics", duration = 1, step = {step} }}
         "#
     );
-    let (model, mut series) = (Model::parse(&text).unwrap(), Series::new());
-    let summary = simulate(&model, &mut series).unwrap();
-    assert!(summary.outcome.is_finished());
-    assert_eq!(*series.column("t").unwrap().last().unwrap(), 1.0);
-    ["p.vx", "kinetic"].map(|name| *series.column(name).unwrap().last().unwrap())
+    let run = Run::of(&parse(&text));
+    assert_eq!(run.last("t"), 1.0);
+    ["p.vx", "kinetic"].map(|name| run.last(name))
 }
 
 /// The last step has the rate before the kink: errors are of second order in the step, as at kinks within the motion. The reference is
@@ -47,8 +44,6 @@ fn jumps_at_the_end_have_no_impulse() {
         probes = [{ name = "p", on = { body = "b", at = "center" } }]
         analysis = { kind = "dynamics", duration = 1, step = 0.1 }
     "#;
-    let (model, mut series) = (Model::parse(text).unwrap(), Series::new());
-    assert!(simulate(&model, &mut series).unwrap().outcome.is_finished());
-    let last = |name: &str| *series.column(name).unwrap().last().unwrap();
-    assert_eq!([last("t"), last("p.vx"), last("p.ax")], [1.0, 0.0, 3.0]);
+    let run = Run::of(&parse(text));
+    assert_eq!(["t", "p.vx", "p.ax"].map(|name| run.last(name)), [1.0, 0.0, 3.0]);
 }

@@ -9,15 +9,7 @@ use super::kind::TermKind;
 use crate::common::assertions::assert_near;
 use crate::common::models::cables::{self, Cable};
 use crate::common::random::Random;
-use crate::common::sample::{Sample, sizes, stress_stiffness};
-
-fn stress_prediction(term: &dyn Term, at: &Sample, from: &Sample) -> DMatrix<f64> {
-    let size = at.q.len() + at.lambda.len();
-    let mut storage = [0.0; LOCAL * LOCAL];
-    let mut k = LocalMatrix::zero(size, &mut storage);
-    term.stress_prediction(&at.local(), &from.local(), &mut k);
-    DMatrix::from_fn(size, size, |i, j| k.get(i.max(j), i.min(j)))
-}
+use crate::common::sample::{Sample, sizes, stress_prediction, stress_stiffness};
 
 /// Strains ε of second order: n(q) − n(q₀) − ∂n/∂q₀ Δ = ½ (∂n/∂q − ∂n/∂q₀) Δ. The stiffness T of stresses is linear in them.
 #[test]

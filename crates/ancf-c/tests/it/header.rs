@@ -11,6 +11,8 @@ fn header_is_that_of_the_source() {
     let mut sources: Vec<_> = fs::read_dir(own.join("src"))
         .expect("the folder of the sources")
         .map(|entry| entry.expect("a file").path())
+        // The modules that it declares are read one by one.
+        .filter(|path| !path.ends_with("lib.rs"))
         .collect();
     sources.sort();
     let builder = sources.iter().fold(cbindgen::Builder::new(), |builder, source| builder.with_src(source));

@@ -54,7 +54,8 @@ impl ParaviewArguments {
         if values.is_empty() {
             let folder = self.folder.display();
             return Ok(reject(&format!(
-                "{folder} contains no stored states: `output.states` is 0, or their file was removed"
+                "{folder} contains no stored states: the run failed before the first one, `output.states` is 0, or their \
+                 file was removed"
             )));
         }
         let most = self.frames.map_or(usize::MAX, NonZeroUsize::get);

@@ -10,7 +10,7 @@ use crate::folder::sha256;
 #[derive(Clone, Debug)]
 pub(crate) struct Provenance {
     text: String,
-    units: BTreeMap<String, String>,
+    units: Option<BTreeMap<String, String>>,
 }
 
 /// Name and version of the program.
@@ -20,12 +20,12 @@ impl Provenance {
     /// Provenance of a model, given its text, the names of its units, and the columns of its run.
     pub(crate) fn new(text: &str, units: &Units, columns: &[Column]) -> Self {
         let of = |column: &Column| Some((column.name.clone(), column.unit(units)?));
-        Self { text: text.to_owned(), units: columns.iter().filter_map(of).collect() }
+        Self { text: text.to_owned(), units: Some(columns.iter().filter_map(of).collect()) }
     }
 
     /// Removes the units, for a table whose columns have none.
     pub(crate) fn without_units(&self) -> Self {
-        Self { units: BTreeMap::new(), ..self.clone() }
+        Self { units: None, ..self.clone() }
     }
 
     /// Key-value metadata of a Parquet file.
@@ -36,7 +36,7 @@ impl Provenance {
             entry("model", self.text.clone()),
             entry("sha256", sha256(self.text.as_bytes())),
         ];
-        if let (false, Ok(units)) = (self.units.is_empty(), serde_json::to_string(&self.units)) {
+        if let Some(Ok(units)) = self.units.as_ref().map(serde_json::to_string) {
             metadata.push(entry("units", units));
         }
         metadata

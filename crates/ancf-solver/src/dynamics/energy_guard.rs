@@ -48,6 +48,8 @@ const DELAY: f64 = 0.05;
 const SETTLED: f64 = 0.5;
 /// Gain that counts as rounding, relative to the largest energy.
 const ROUNDING: f64 = 1e-9;
+/// Rounding error of positions, relative to a length.
+pub(super) const POSITION_ROUNDING: f64 = 8.0 * f64::EPSILON;
 
 impl EnergyGuard {
     /// Default of the gain.

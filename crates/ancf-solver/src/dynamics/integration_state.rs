@@ -20,6 +20,8 @@ pub(crate) struct IntegrationState {
     /// Auxiliary acceleration aₙ of the scheme, for the last step size `h`.
     pub(crate) auxiliary: Vec<f64>,
     pub(crate) h: f64,
+    /// Step size of the velocities along constraints, which are errors of the order h².
+    pub(crate) h_of_velocities: f64,
     /// True if the accelerations are consistent and there is no previous step.
     pub(crate) at_start: bool,
     /// Number of halvings at the start of the next step: one less than in the last step.
@@ -73,6 +75,7 @@ impl IntegrationState {
         Self {
             auxiliary: start.a.clone(),
             h: 0.0,
+            h_of_velocities: 0.0,
             at_start: false,
             halvings: 0,
             divided: None,
@@ -144,6 +147,8 @@ impl IntegrationState {
             && self.auxiliary.iter().chain(&energies).chain(&powers).all(|x| x.is_finite())
             && h.is_finite()
             && *h >= 0.0
+            && self.h_of_velocities.is_finite()
+            && self.h_of_velocities >= 0.0
             && self.halvings <= max_halvings
             && self.divided.is_none_or(|divided| divided.is_valid(self.state.t, max_halvings))
             && power.is_valid()

@@ -8,6 +8,7 @@ mod errors;
 mod given_state;
 mod integration_state;
 mod predictor;
+mod restart;
 mod resume;
 mod scheme;
 mod start;

@@ -1,9 +1,9 @@
-use super::damping_work::{DampingAttempt, PowerIntegral};
-use super::energy_guard::{EnergyAttempt, EnergyGuard, EnergyRecord, fastest_change};
+use super::damping_work::DampingAttempt;
+use super::energy_guard::{EnergyAttempt, EnergyGuard, EnergyRecord, POSITION_ROUNDING, fastest_change};
 use super::energy_momentum::StepMiddle;
 use super::integration_state::{DividedStep, IntegrationState};
 use super::scheme::SchemeCoefficients;
-use super::start::{Projected, StartValues, accelerations, project, start_values};
+use super::start::{StartValues, start_values};
 use super::step_report::StepReport;
 use crate::equations::{ActiveGroup, Energy, EquationsOfMotion, Inadmissibility, Level, Power, State};
 use crate::newton::{ActiveSet, Newton, NewtonReport, SolveError, SolveFailure};
@@ -100,71 +100,11 @@ impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
         self.motion.exchanged
     }
 
-    /// Returns the energy that the integration itself made or lost since the start, and the energy of rounding errors.
-    pub fn energy_record(&self) -> (EnergyRecord, f64) {
-        (self.motion.record, self.newton.rounding_energy() + self.motion.record.rounding())
-    }
-
-    /// Restarts at a time t with the current q and v: at the start, and at jumps of loads or prescribed motions.
-    ///
-    /// Velocities are projected onto Φ_q v + Φ_t = 0. Accelerations and multipliers follow from the equations of
-    /// motion, and the scheme computes its start values. The last step before a jump must end at `t.next_down()`, where
-    /// the loads have not jumped.
-    ///
-    /// # Errors
-    /// If the mass matrix with the constraints is singular. The state is then unchanged.
-    pub fn restart(&mut self, t: f64) -> Result<(), SolveError> {
-        self.before.copy_from(&self.motion.state);
-        let (energy, exchanged) = (self.motion.energy, self.motion.exchanged);
-        let done = self.start_at(t);
-        match done {
-            Ok(()) => self.save_restart_point(),
-            Err(_) => {
-                self.revert();
-                (self.motion.energy, self.motion.exchanged) = (energy, exchanged);
-            }
-        }
-        done
-    }
-
-    fn start_at(&mut self, t: f64) -> Result<(), SolveError> {
-        self.motion.state.t = t;
-        self.include_near_terms()?;
-        let Newton { tangent, z, .. } = &mut self.newton;
-        let (matrix, factor) = tangent.lend();
-        let before = self.motion.energy.kinetic;
-        let state = &mut self.motion.state;
-        let factors = project(&*self.eom, matrix, factor, state, Projected::Velocities, z)?;
-        self.motion.energy = self.eom.energy(&self.motion.state);
-        if self.motion.h > 0.0 || self.motion.at_start {
-            // Velocity jump: adds the impulsive work, computed with the mean velocity.
-            self.motion.exchanged.work += self.motion.energy.kinetic - before;
-        }
-        accelerations(&*self.eom, matrix, factor, &mut self.motion.state, z, factors)?;
-        self.motion.auxiliary.copy_from_slice(&self.motion.state.a);
-        self.set_exchange();
-        self.motion.h = 0.0;
-        self.motion.at_start = true;
-        self.motion.predictor.restart();
-        self.motion.restart_errors(true);
-        Ok(())
-    }
-
-    /// Projects velocities onto Φ_q v + Φ_t = 0. Accelerations and multipliers remain unchanged.
-    ///
-    /// # Errors
-    /// If the mass matrix with the constraints is singular.
-    pub fn project_velocities(&mut self) -> Result<(), SolveError> {
-        let Newton { tangent, z, .. } = &mut self.newton;
-        let (matrix, factor) = tangent.lend();
-        project(&*self.eom, matrix, factor, &mut self.motion.state, Projected::Velocities, z)?;
-        self.motion.energy = self.eom.energy(&self.motion.state);
-        self.set_exchange();
-        // The accelerations are not those of the damping forces.
-        self.motion.damping.clear();
-        self.motion.restart_errors(false);
-        self.save_restart_point();
-        Ok(())
+    /// Returns the energy that the integration itself made or lost since the start, and the energy of rounding errors: of energies, of
+    /// positions, and of the work of loads over the rounding error of a length.
+    pub fn energy_record(&self, length: f64) -> (EnergyRecord, f64) {
+        let work = POSITION_ROUNDING * length * self.eom.supplied_forces(&self.motion.state);
+        (self.motion.record, self.newton.rounding_energy() + self.motion.record.rounding() + work)
     }
 
     /// Advances to the time `to`, in one step or in 2, 4, 8, ... equal substeps if Newton's method fails.
@@ -194,7 +134,8 @@ impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
             DividedStep { to, h, left: 1_u64 << halvings, halvings, report: StepReport::default() }
         });
         while left > 0 {
-            match self.attempt(h, to - (left - 1) as f64 * h) {
+            let adapted = self.adapt_velocities(h);
+            match adapted.and_then(|()| self.attempt(h, to - (left - 1) as f64 * h)) {
                 Ok(done) => {
                     self.accept(&done, &mut report);
                     left -= 1;
@@ -355,6 +296,7 @@ impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
         self.motion.record.refused = record.refused.saturating_add(refused);
         self.motion.damping.accept(&self.damping);
         self.motion.h = self.motion.state.t - self.before.t;
+        self.motion.h_of_velocities = self.motion.h;
         let IntegrationState { predictor, state, h, .. } = &mut self.motion;
         predictor.record([&self.before, state], (*h, self.scheme.weights(*h)), &mut self.newton);
         self.motion.at_start = false;
@@ -372,13 +314,6 @@ impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
         (report.drift, report.violation) = (self.largest(Level::Velocity), self.largest(Level::Position));
         report.floor |= done.floor;
         self.save_restart_point();
-    }
-
-    /// Sets powers and damping forces of a start.
-    fn set_exchange(&mut self) {
-        let power = self.eom.exchange(&self.motion.state, &mut self.damping.force);
-        self.motion.power = PowerIntegral::new(power);
-        self.motion.damping.restart(&self.damping.force);
     }
 
     /// Saves the state to which a failed next step returns.

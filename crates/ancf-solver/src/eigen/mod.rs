@@ -13,5 +13,5 @@ mod softening;
 
 pub use buckling::{CriticalLoad, CriticalLoads, LoadDirection, buckling};
 pub use complex::{ComplexMode, DampedMode, DampedModes, damped_modes, nonconservative_modes, skew_ratio};
-pub use modes::{EigenModes, Mode, SturmCount, modes};
+pub use modes::{EigenModes, Mode, SturmCount, modes, modes_memory};
 pub use operator::EigenError;

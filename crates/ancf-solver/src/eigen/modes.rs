@@ -61,11 +61,27 @@ const TOLERANCE: f64 = 1e-8;
 const TOLERANCE_OF_ERROR: f64 = 1e-3;
 /// Number of vectors of a block, and of those that are added after a missed mode.
 const BLOCK: usize = 4;
-/// Number of vectors of a space before a restart: a multiple of the number of requested modes, and a constant, the smaller one of
-/// which is always admissible.
-const CAPACITY: (usize, [usize; 2]) = (3, [30, 300]);
-/// Number of entries of a space above which the smaller constant counts, 1 GiB.
+/// Number of vectors of a space before a restart, beyond three times the number of requested modes.
+const CAPACITY: usize = 300;
+/// Number of vectors of large spaces beyond twice the number of requested modes.
+const LEAST_CAPACITY: usize = 20;
+/// Number of entries of a space above which it is large, 1 GiB.
 const MAX_ENTRIES: usize = 1 << 27;
+/// Memory of a search in vectors, beyond that of its space: blocks, their images, and spaces during a restart.
+const WORKING_VECTORS: usize = 30;
+
+/// Number of vectors of a space before a restart.
+fn capacity(count: usize, unknowns: usize) -> usize {
+    let storage = MAX_ENTRIES / unknowns.max(1);
+    (2 * count + LEAST_CAPACITY).max(storage.min(3 * count + CAPACITY))
+}
+
+/// Returns the least memory of a search for modes in bytes, without matrices.
+pub fn modes_memory(count: usize, unknowns: usize) -> f64 {
+    let vectors = (2 * count + LEAST_CAPACITY).min(unknowns) + 4 * count + WORKING_VECTORS;
+    (size_of::<f64>() * vectors) as f64 * unknowns as f64
+}
+
 /// Number of vectors for the estimate of the spectrum: more than the six rigid modes of a free body.
 const ROUGH: usize = 8;
 /// Number of vectors for the estimate of the rounding error of the factors.
@@ -185,9 +201,7 @@ impl ShiftedSearch {
         pass: usize,
     ) -> Result<(Self, Option<f64>), EigenError> {
         let shift = pencil.factorise(shift)?;
-        let (multiple, [least, most]) = CAPACITY;
-        let storage = MAX_ENTRIES / pencil.unknowns();
-        let capacity = multiple * count + least.max(most.min(storage.saturating_sub(multiple * count)));
+        let capacity = capacity(count, pencil.unknowns());
         let search = EigenSearch { count, key: |theta| theta, least: 0.0, tolerance: TOLERANCE, capacity };
         let mut op = pencil.operator();
         let start = op.start(BLOCK, pass as u64)?;

@@ -253,4 +253,9 @@ pub trait EquationsOfMotion {
         damping.fill(0.0);
         Power::default()
     }
+
+    /// Returns the sum of the magnitudes of the forces that supply work, by coordinate.
+    fn supplied_forces(&self, _s: &State) -> f64 {
+        0.0
+    }
 }

@@ -10,7 +10,7 @@ use super::scatter::{Scatter, pattern_of, scatters};
 use super::term_sums::{LocalState, USUAL};
 use super::terms::{LOCAL, Local, LocalMatrix, State, Term, Weights};
 use super::thread_parts::ThreadParts;
-use crate::sparse::{ConstraintRow, Pattern, SparseMatrix};
+use crate::sparse::{ConstraintRow, FactorStorage, Pattern, SparseMatrix};
 use crate::vectors::for_each_chunk;
 
 /// Equations of motion as a sum of terms: gather, evaluate, scatter.
@@ -192,6 +192,13 @@ impl System {
         self
     }
 
+    /// Sets the stored part of the factors of matrices. Must be called before any matrix is created.
+    #[must_use]
+    pub fn with_factor_storage(mut self, storage: FactorStorage) -> Self {
+        Arc::make_mut(&mut self.pattern).store(storage);
+        self
+    }
+
     /// Returns the coordinates without stiffness in the reference state without constraint forces.
     fn without_stiffness(&self) -> Vec<usize> {
         let mut stiffness = self.matrix();
@@ -226,6 +233,11 @@ impl System {
     /// Returns the terms.
     pub fn terms(&self) -> &[Arc<dyn Term>] {
         &self.terms
+    }
+
+    /// Returns the pattern of its matrices.
+    pub fn pattern(&self) -> &Pattern {
+        &self.pattern
     }
 
     /// Creates a zero matrix of the pattern of the system.

@@ -12,7 +12,7 @@ use super::motion_equations::EquationsOfMotion;
 use super::stiffness_products::{StiffnessProducts, stiffness_products};
 use super::system::System;
 use super::term_sums::{
-    LocalEnds, LocalState, Rotation, largest_rotation, powers, skew_entries, visited_entries,
+    LocalEnds, LocalState, Rotation, largest_rotation, powers, skew_entries, supplied_forces, visited_entries,
 };
 use super::terms::{Energy, Inadmissibility, Level, Power, State, StepStates, Term, Weights};
 use crate::sparse::{Pattern, SparseMatrix};
@@ -243,5 +243,9 @@ impl EquationsOfMotion for System {
         let damped = |term: &&Arc<dyn Term>| term.is_damped();
         self.add(self.unbatched().filter(damped), s, damping, |term, at, r| term.damping_forces(at, r));
         powers(self.unbatched(), s)
+    }
+
+    fn supplied_forces(&self, s: &State) -> f64 {
+        supplied_forces(self.unbatched(), s)
     }
 }

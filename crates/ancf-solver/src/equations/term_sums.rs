@@ -89,6 +89,26 @@ pub(super) fn powers<'a>(terms: impl Iterator<Item = &'a Arc<dyn Term>>, s: &Sta
     sum
 }
 
+/// Velocity with which forces are determined from their power.
+const VELOCITY: f64 = 1e-3;
+
+/// Returns the sum of the magnitudes of the forces that supply work, by coordinate.
+pub(super) fn supplied_forces<'a>(terms: impl Iterator<Item = &'a Arc<dyn Term>>, s: &State) -> f64 {
+    let (mut gathered, mut v) = (LocalState::EMPTY, vec![0.0; LOCAL]);
+    let forces = |term: &Arc<dyn Term>| {
+        let at = gathered.gather(s, term.as_ref());
+        let n = at.q.len();
+        let mut power = |i: usize, velocity: f64| {
+            v[i] = velocity;
+            let power = term.supplied_power(&Local { v: &v[..n], ..at });
+            v[i] = 0.0;
+            power
+        };
+        (0..n).map(|i| ((power(i, VELOCITY) - power(i, 0.0)) / VELOCITY).abs()).sum::<f64>()
+    };
+    terms.map(forces).sum()
+}
+
 /// Number of coordinates and of multipliers up to which the state of a term is on the stack. To clear more would take longer than to
 /// evaluate a small term.
 pub(super) const USUAL: usize = 48;

@@ -3,10 +3,10 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-use super::ldlt::Ldlt;
+use super::multifrontal::Ldlt;
 use super::scaled_lu::ScaledLu;
 use super::scales::{equilibrate, match_scales};
-use crate::sparse::{Pattern, SparseMatrix};
+use crate::sparse::{FactorStorage, Pattern, SparseMatrix};
 use crate::vectors::{copy, for_each_chunk, largest_of_chunks};
 
 /// Supernodal LDLᵀ factorisation of a symmetric indefinite matrix without pivoting, with LU as a fallback.
@@ -104,7 +104,7 @@ impl Factor {
     pub fn new(pattern: &Arc<Pattern>) -> Result<Self, SingularMatrix> {
         let zeros = vec![0.0; pattern.size()];
         Ok(Self {
-            ldlt: Ldlt::new(pattern.supernodes()),
+            ldlt: Ldlt::new(pattern.supernodes(), pattern.factor_storage()),
             pattern: Arc::clone(pattern),
             lu: None,
             shared: (!pattern.shared().is_empty()).then(|| {
@@ -118,6 +118,11 @@ impl Factor {
             x: zeros.clone(),
             r: zeros,
         })
+    }
+
+    /// Returns the memory of a matrix and its factors in bytes, without lists of the pattern.
+    pub fn memory(pattern: &Pattern, storage: FactorStorage) -> f64 {
+        (size_of::<f64>() * (pattern.entries() + Ldlt::values(pattern.supernodes(), storage))) as f64
     }
 
     /// Factorises a matrix of the analysed pattern.
@@ -262,7 +267,7 @@ impl Factor {
         let error = match self.shared.take() {
             None if self.verified && lambda.is_some() => {
                 copy(&self.b, &mut self.x);
-                self.substitute(false);
+                self.substitute(k, false);
                 Ok(0.0)
             }
             None => self.solve_plain(k).map(|()| 0.0),
@@ -322,14 +327,14 @@ impl Factor {
     /// Solves for `b` into `x` with up to two steps of iterative refinement.
     fn solve_refined(&mut self, k: &SparseMatrix) -> Result<(), SingularMatrix> {
         copy(&self.b, &mut self.x);
-        self.substitute(false);
+        self.substitute(k, false);
         let mut error = self.backward_error(k);
         self.verified = error <= REFINE;
         for _ in 0..2 {
             if error <= REFINE {
                 return Ok(());
             }
-            self.substitute(true);
+            self.substitute(k, true);
             for (x, r) in self.x.iter_mut().zip(&self.r) {
                 *x += r;
             }
@@ -339,11 +344,11 @@ impl Factor {
     }
 
     /// Performs forward and backward substitution of `x`, or of the residual `r`, in place.
-    fn substitute(&mut self, residual: bool) {
+    fn substitute(&mut self, k: &SparseMatrix, residual: bool) {
         let target = if residual { &mut self.r } else { &mut self.x };
         match &self.lu {
             Some(lu) => lu.solve(target),
-            None => self.ldlt.solve(self.pattern.supernodes(), target),
+            None => self.ldlt.solve(self.pattern.supernodes(), k.values(), target),
         }
     }
 

@@ -1,17 +1,12 @@
 //! LDLᵀ factorisation of tangents with multipliers, iterative refinement and LU as a fallback.
 
-mod dense;
 mod factorisation;
-mod front;
 mod inertia;
-mod large_front;
-mod ldlt;
+mod multifrontal;
 mod null_space;
 mod products;
-mod quads;
 mod scaled_lu;
 mod scales;
-mod substitution;
 
 pub(crate) use factorisation::DETERMINED;
 pub use factorisation::{Factor, FactorHistory, SingularMatrix};

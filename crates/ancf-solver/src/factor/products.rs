@@ -1,6 +1,6 @@
 use pulp::Arch;
 
-use super::substitution::{SubtractProduct, SubtreeView};
+use super::multifrontal::{SubtractProduct, SubtreeView};
 use crate::sparse::{Pattern, QUAD, Quad, SparseMatrix};
 
 /// Products K x with symmetric matrices of one pattern, by supernodes, with their working storage.

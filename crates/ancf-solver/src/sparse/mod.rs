@@ -17,6 +17,6 @@ pub(crate) use carriers::ConstraintRow;
 pub(crate) use index_lists::IndexLists;
 pub use matrix::SparseMatrix;
 pub(crate) use pattern::Border;
-pub use pattern::Pattern;
+pub use pattern::{FactorStorage, Pattern};
 pub(crate) use subtrees::{MIN_SUBTREE, Subtree, Subtrees, VectorSection, children, process_subtrees};
 pub(crate) use supernodes::{QUAD, Quad, RowRun, Supernode, SupernodeShape, Supernodes, with_shape};

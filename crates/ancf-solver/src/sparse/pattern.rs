@@ -32,6 +32,18 @@ pub struct Pattern {
     shared: Vec<usize>,
     /// Positions of coordinates without stiffness of their own, such as those of rigid bodies.
     without_stiffness: Vec<usize>,
+    factor_storage: FactorStorage,
+}
+
+/// Part of the factors of a matrix that is stored.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum FactorStorage {
+    /// All factors.
+    #[default]
+    All,
+    /// Factors of the trunk, which follows the independent subtrees of the elimination. Factors of subtrees are computed again
+    /// in each solution. Results are the same. All factors are stored if one subtree is larger than an eighth of all.
+    Trunk,
 }
 
 /// Entry that couples a multiplier with a coordinate.
@@ -76,6 +88,7 @@ impl Pattern {
             massless,
             shared: Vec::new(),
             without_stiffness: Vec::new(),
+            factor_storage: FactorStorage::All,
         }
     }
 
@@ -112,8 +125,19 @@ impl Pattern {
         &self.without_stiffness
     }
 
-    /// Marks the same unknowns as another pattern of the system.
+    /// Sets the stored part of factors.
+    pub(crate) fn store(&mut self, storage: FactorStorage) {
+        self.factor_storage = storage;
+    }
+
+    /// Returns the stored part of factors.
+    pub fn factor_storage(&self) -> FactorStorage {
+        self.factor_storage
+    }
+
+    /// Marks the same unknowns as another pattern of the system, and stores the same part of factors.
     pub(crate) fn mark_as(&mut self, other: &Self) {
+        self.store(other.factor_storage);
         self.share(other.sharing());
         self.leave_without_stiffness(other.without_stiffness.iter().map(|&at| other.unknown(at)));
     }

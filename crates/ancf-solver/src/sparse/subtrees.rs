@@ -104,9 +104,9 @@ pub(crate) struct VectorSection<'a> {
 }
 
 impl<'a> VectorSection<'a> {
-    /// Creates the section of a full vector.
-    pub(crate) fn full(values: &'a mut [f64]) -> Self {
-        Self { first: 0, values }
+    /// Creates a section that begins with the entry `first`.
+    pub(crate) fn new(first: usize, values: &'a mut [f64]) -> Self {
+        Self { first, values }
     }
 
     /// Splits the section at an entry.

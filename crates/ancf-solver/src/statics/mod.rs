@@ -16,4 +16,4 @@ pub use linear_response::EquilibriumResponse;
 pub use load_rates::LoadRates;
 pub use load_stepper::{LoadIncrements, LoadStepper, Response, UnstablePolicy};
 pub use path_point::{ArcLengthSteps, EndConditions, EndReason, LimitPoint, PathPoint};
-pub use regularised::solve_regularised;
+pub use regularised::{load_rate, solve_regularised};

@@ -1,5 +1,6 @@
 use crate::equations::{EquationsOfMotion, State, Weights};
 use crate::newton::{LinearSolution, Newton, NewtonReport, SolveError, SolveFailure, StateUpdate};
+use crate::sparse::SparseMatrix;
 
 /// Stagnation limit for increments of slowly decreasing energy.
 const STAGNATION_LIMIT: u32 = 100;
@@ -12,6 +13,26 @@ impl StateUpdate for CoordinateUpdate {
         s.add(at.z, Weights::STIFFNESS);
         Ok(())
     }
+}
+
+/// Estimates the circular frequency √(a/L) of the motions that loads stabilise over a length L, by the mean acceleration a of free
+/// masses under the forces of a state.
+///
+/// a² = Σ fᵢ²/Mᵢᵢ / Σ Mᵢᵢ. Under gravity it is g, so that the rate of a pendulum of the length L is exact. `matrix` is any matrix of the
+/// pattern of `eom`.
+pub fn load_rate(eom: &dyn EquationsOfMotion, matrix: &mut SparseMatrix, s: &State, length: f64) -> f64 {
+    eom.tangent(s, Weights::MASS, matrix);
+    let mut residual = vec![0.0; s.q.len() + s.lambda.len()];
+    eom.residual(s, &mut residual);
+    let (mut squares, mut masses) = (0.0, 0.0);
+    for (i, force) in residual[..s.q.len()].iter().enumerate() {
+        let mass = matrix.diagonal_of(i);
+        if mass > 0.0 {
+            squares += force * force / mass;
+            masses += mass;
+        }
+    }
+    if masses > 0.0 { ((squares / masses).sqrt() / length).sqrt() } else { 0.0 }
 }
 
 /// Iterates a state to an equilibrium that only the load stabilises, such as that of a pendulum.

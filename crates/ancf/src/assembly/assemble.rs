@@ -8,6 +8,7 @@ use nalgebra::Vector3;
 
 use super::assembled::{Assembly, OwnedTerms, RecordedQuantity};
 use super::loads::InnerLoads;
+use crate::checking::factor_storage;
 use crate::errors::ModelErrors;
 use crate::model::{IndexedModel, TimeMode};
 
@@ -48,6 +49,8 @@ impl IndexedModel<'_> {
         let multipliers = multipliers + self.couplings.len();
         let batches = term_batches(&terms);
         let system = System::new(coordinates, multipliers, terms).with_batches(batches);
+        let storage = factor_storage(self, system.pattern());
+        let system = system.with_factor_storage(storage);
         let (breaks, inputs) = (self.breaks(time_mode), self.inputs(&bodies, time_mode));
         let couplings = self.couplings.iter().map(|coupling| coupling.name.clone()).collect();
         let (redundant, undetermined, closed) = (Vec::new(), BTreeSet::new(), None);

@@ -3,25 +3,30 @@
 use std::fs;
 use std::path::Path;
 
-use crate::errors::{Finding, finding, number};
+use ancf_solver::eigen::modes_memory;
+use ancf_solver::factor::Factor;
+use ancf_solver::sparse::{FactorStorage, Pattern};
+
+use crate::errors::{Finding, ModelErrors, finding, number};
 use crate::model::{Analysis, Body, IndexedModel};
 
 /// Upper limit on the number of elements. Larger values are assumed to be typing errors.
 pub(super) const MAX_ELEMENTS: u64 = 10_000_000;
-/// Memory of a run in bytes, measured: per element, rigid body, joint, probe and contact point.
-const PER_ELEMENT: f64 = 12e3;
-/// Memory per shell element, with the factor of the tangent.
-const PER_SHELL_ELEMENT: f64 = 80e3;
+/// Memory of a run in bytes, measured: per element, rigid body, joint, probe and contact point. That of elements has two parts:
+/// without matrices, and the least memory of matrices and factors.
+const PER_ELEMENT: [f64; 2] = [5e3, 4e3];
+const PER_SHELL_ELEMENT: [f64; 2] = [35e3, 45e3];
 const PER_RIGID_BODY: f64 = 6e3;
 const PER_JOINT: f64 = 10e3;
 const PER_PROBE: f64 = 110e3;
 const PER_CONTACT_POINT: f64 = 0.9e3;
-/// Coordinates of an element, without those of its first node.
-const COORDINATES: f64 = 18.0;
-/// Vectors per requested mode: Krylov spaces of up to 16 blocks with their images.
-const VECTORS_PER_MODE: f64 = 20.0;
+/// Least number of coordinates of an element, without those of its first node.
+const LEAST_COORDINATES: f64 = 6.0;
 /// Required memory below which the available memory is not read.
 const SMALL: f64 = 0.2e9;
+
+/// Part of the available memory above which factors of subtrees are not stored.
+const SCARCE: f64 = 0.5;
 
 /// Memory of a part of the model.
 struct Part {
@@ -30,10 +35,35 @@ struct Part {
     bytes: f64,
 }
 
+/// Chooses the stored part of the factors of tangents by the available memory.
+pub(crate) fn factor_storage(model: &IndexedModel<'_>, pattern: &Pattern) -> FactorStorage {
+    let all = total(&parts(model, Matrices::of(pattern, FactorStorage::All)));
+    let is_scarce = all > SMALL && available().is_some_and(|available| all > SCARCE * available);
+    if is_scarce { FactorStorage::Trunk } else { FactorStorage::All }
+}
+
+/// Checks that the matrices and factors of a pattern fit into the available memory.
+pub(crate) fn memory_of_equations(
+    model: &IndexedModel<'_>,
+    pattern: &Pattern,
+    available: Option<f64>,
+) -> Result<(), ModelErrors> {
+    let parts = parts(model, Matrices::of(pattern, pattern.factor_storage()));
+    not_fitting(&parts, available).map_or(Ok(()), |found| Err(ModelErrors(vec![found.error])))
+}
+
 /// Checks that the model fits into the available memory.
 pub(super) fn memory(model: &IndexedModel<'_>, available: Option<f64>) -> Option<Finding> {
-    let parts = parts(model);
-    let total: f64 = parts.iter().map(|part| part.bytes).sum();
+    not_fitting(&parts(model, Matrices::Least), available)
+}
+
+fn total(parts: &[Part]) -> f64 {
+    parts.iter().map(|part| part.bytes).sum()
+}
+
+/// Finding about parts that do not fit into the available memory.
+fn not_fitting(parts: &[Part], available: Option<f64>) -> Option<Finding> {
+    let total = total(parts);
     let available = available.filter(|&available| total > SMALL && total > available)?;
     let largest = parts.iter().max_by(|a, b| a.bytes.total_cmp(&b.bytes))?;
     let found = format!("{}, in all about {} of memory", largest.what, size(total));
@@ -42,8 +72,23 @@ pub(super) fn memory(model: &IndexedModel<'_>, available: Option<f64>) -> Option
     Some(finding(largest.path.to_owned(), found, expected).rests_on(rests_on))
 }
 
+/// Memory of matrices and vectors in an estimate.
+#[derive(Clone, Copy)]
+enum Matrices {
+    /// Least memory by the number of elements.
+    Least,
+    /// Memory in bytes of the matrix of the equations and its factors, with the number of unknowns.
+    Of { unknowns: f64, bytes: f64 },
+}
+
+impl Matrices {
+    fn of(pattern: &Pattern, storage: FactorStorage) -> Self {
+        Self::Of { unknowns: pattern.size() as f64, bytes: Factor::memory(pattern, storage) }
+    }
+}
+
 /// Memory of the parts of a model.
-fn parts(model: &IndexedModel<'_>) -> Vec<Part> {
+fn parts(model: &IndexedModel<'_>, matrices: Matrices) -> Vec<Part> {
     let flexible = model.bodies.iter().filter(|body| body.is_flexible());
     let elements: f64 = flexible.map(|body| f64::from(body.elements())).sum();
     let rigid =
@@ -52,21 +97,43 @@ fn parts(model: &IndexedModel<'_>) -> Vec<Part> {
         model.bodies.iter().filter(|body| body.is_shell()).map(|body| f64::from(body.elements())).sum();
     let points: f64 = (0..model.contacts.len()).map(|i| contact_points(model, i)).sum();
     let modes = match &model.analysis {
-        Analysis::Modes(modes) => f64::from(modes.count),
-        Analysis::Buckling(buckling) => f64::from(buckling.count),
-        _ => 0.0,
+        Analysis::Modes(modes) => modes.count,
+        Analysis::Buckling(buckling) => buckling.count,
+        _ => 0,
+    };
+    let (unknowns, of_matrix) = match matrices {
+        Matrices::Least => (LEAST_COORDINATES * elements, 0.0),
+        Matrices::Of { unknowns, bytes } => (unknowns, bytes),
+    };
+    let per_element = |[rest, least]: [f64; 2]| if of_matrix > 0.0 { rest } else { rest + least };
+    let vectors = if modes > 0 {
+        modes_memory((modes as usize).min(unknowns as usize), unknowns as usize)
+    } else {
+        0.0
     };
     let count = |n: f64, what: &str| format!("{} {what}", number(n));
     let (joints, probes) = (model.joints.len() as f64, model.probes.len() as f64);
-    let vectors = modes.min(COORDINATES * elements) * VECTORS_PER_MODE * 8.0 * COORDINATES * elements;
     vec![
-        Part { path: "bodies", what: count(elements, "elements"), bytes: elements * PER_ELEMENT },
-        Part { path: "bodies", what: count(shells, "shell elements"), bytes: shells * PER_SHELL_ELEMENT },
+        Part {
+            path: "bodies",
+            what: count(elements, "elements"),
+            bytes: elements * per_element(PER_ELEMENT),
+        },
+        Part {
+            path: "bodies",
+            what: count(shells, "shell elements"),
+            bytes: shells * per_element(PER_SHELL_ELEMENT),
+        },
         Part { path: "bodies", what: count(rigid, "rigid bodies"), bytes: rigid * PER_RIGID_BODY },
         Part { path: "joints", what: count(joints, "joints"), bytes: joints * PER_JOINT },
         Part { path: "probes", what: count(probes, "probes"), bytes: probes * PER_PROBE },
         Part { path: "contacts", what: count(points, "contact points"), bytes: points * PER_CONTACT_POINT },
-        Part { path: "analysis.count", what: count(modes, "shapes"), bytes: vectors },
+        Part { path: "analysis.count", what: count(f64::from(modes), "shapes"), bytes: vectors },
+        Part {
+            path: "bodies",
+            what: format!("{} of the matrix of the equations and its factors", size(of_matrix)),
+            bytes: of_matrix,
+        },
     ]
 }
 
@@ -93,7 +160,10 @@ fn size(bytes: f64) -> String {
 
 /// Hint with the memory of a number of elements.
 pub(super) fn memory_of(elements: f64) -> String {
-    format!("they would need about {} GB of memory", number((elements * PER_ELEMENT / 1e9).round()))
+    format!(
+        "they would need about {} GB of memory",
+        number((elements * PER_ELEMENT.iter().sum::<f64>() / 1e9).round())
+    )
 }
 
 /// Adds a hint on memory to a finding about a number of elements that the schema rejects.
@@ -108,7 +178,7 @@ pub(crate) fn with_memory(finding: Finding) -> Finding {
 }
 
 /// Available memory in bytes: of the machine, or of the control group of the process. `None` if the system does not state it.
-pub(super) fn available() -> Option<f64> {
+pub(crate) fn available() -> Option<f64> {
     let text = fs::read_to_string("/proc/meminfo").ok()?;
     let machine = from_meminfo(&text)?;
     let group = Path::new("/sys/fs/cgroup");

@@ -14,5 +14,5 @@ mod scheme;
 mod shells;
 mod time_functions;
 
-pub(crate) use memory::with_memory;
+pub(crate) use memory::{available, factor_storage, memory_of_equations, with_memory};
 pub(crate) use rules::broken_rules;

@@ -123,8 +123,8 @@ pub(crate) const fn advice_for_eigen(error: EigenError) -> &'static str {
 }
 
 /// Advice for models with unsupported motions.
-pub(crate) const ADVICE_FOR_MECHANISMS: &str = "joints, springs or stiffness that support the motion, or an analysis of kind \
-                                                \"dynamics\", which permits it; `ancf check` lists free motions";
+pub(crate) const ADVICE_FOR_MECHANISMS: &str = "joints, springs or stiffness that support the motion (contacts alone do not, but with a \
+     weak spring), or an analysis of kind \"dynamics\", which permits it; `ancf check` lists free motions";
 /// Advice for models with unsupported motions that start from an equilibrium.
-pub(crate) const ADVICE_FOR_MECHANISMS_AT_START: &str = "joints, springs or stiffness that support the motion, or a start in \
-                                                         the undeformed state; `ancf check` lists free motions";
+pub(crate) const ADVICE_FOR_MECHANISMS_AT_START: &str = "joints, springs or stiffness that support the motion (contacts alone do not, but with a \
+     weak spring), or a start in the undeformed state; `ancf check` lists free motions";

@@ -4,7 +4,7 @@ use ancf_solver::equations::{EquationsOfMotion, State, System};
 use ancf_solver::newton::{
     EquilibriumError, Interrupt, Newton, NewtonReport, SolveError, SolveFailure, StopRule,
 };
-use ancf_solver::statics::{Equilibrium, LoadIncrements, LoadStepper, solve_regularised};
+use ancf_solver::statics::{Equilibrium, LoadIncrements, LoadStepper, load_rate, solve_regularised};
 
 use super::start_state::{StartState, require_alignment};
 use super::static_start::StaticStart;
@@ -63,13 +63,33 @@ impl EquilibriumSearch<'_> {
         free: RunFailure,
         each: &mut Each<'_>,
     ) -> Result<State, RunFailure> {
-        let (settled, NewtonReport { iterations, residual, increment, floor }) =
-            self.regularised(start).map_err(|error| match error.failure {
-                SolveFailure::Interrupted => error.into(),
-                _ => free,
-            })?;
-        require_support(self.assembly, &settled, self.scales)?;
-        let unstable = Some(instability(self.assembly, &settled).map_or(0, |found| found.count));
+        let rate = self.rate(&start);
+        let mut best: Option<(State, NewtonReport, usize)> = None;
+        for factor in RATES {
+            let found = self.regularised(start.clone(), factor * rate);
+            // The last iterations converge fast: residual forces would appear as stiffness.
+            let found = found.map(|(state, report)| {
+                let closer = self.regularised(state.clone(), LAST_RATE * rate);
+                closer.unwrap_or((state, report))
+            });
+            let (settled, report) = match found {
+                Ok(found) => found,
+                Err(error) if error.failure == SolveFailure::Interrupted => return Err(error.into()),
+                Err(_) => continue,
+            };
+            require_support(self.assembly, &settled, self.scales)?;
+            let unstable = instability(self.assembly, &settled).map_or(0, |found| found.count);
+            if best.as_ref().is_none_or(|(.., least)| unstable < *least) {
+                best = Some((settled, report, unstable));
+            }
+            if unstable == 0 {
+                break;
+            }
+        }
+        let Some((settled, NewtonReport { iterations, residual, increment, floor }, unstable)) = best else {
+            return Err(free);
+        };
+        let unstable = Some(unstable);
         let energy = self.assembly.system.energy(&settled);
         let found = Equilibrium { iterations, attempts: 1, residual, increment, floor, unstable, energy };
         each(&settled, Some(&found));
@@ -79,14 +99,20 @@ impl EquilibriumSearch<'_> {
         }
     }
 
-    /// Returns the equilibrium of a model that is supported by its loads only, without contacts.
-    fn regularised(&self, mut s: State) -> Result<(State, NewtonReport), SolveError> {
-        // A body of length L under gravity has the rate √(g/L), the inverse time of the automatic scales.
+    /// Circular frequency of motions under the loads over the length of the model.
+    fn rate(&self, start: &State) -> f64 {
         let automatic = Model { scales: ScaleChoice::Auto, ..self.model.clone() }.scales().scales;
+        let (system, loaded) = (&self.assembly.system, State { load: self.settings.load, ..start.clone() });
+        let rate = load_rate(system, &mut system.matrix(), &loaded, automatic.length);
+        if rate.is_normal() { rate } else { automatic.time.recip() }
+    }
+
+    /// Returns the equilibrium of a model that is supported by its loads only, without contacts.
+    fn regularised(&self, mut s: State, rate: f64) -> Result<(State, NewtonReport), SolveError> {
         s.load = self.settings.load;
         let newton = Newton::new(self.assembly.system.matrix(), REGULARISED_STOP, REGULARISED_ITERATIONS)?;
         let mut newton = newton.with_interrupt(self.interrupt.clone());
-        let report = solve_regularised(&self.assembly.system, &mut newton, &mut s, automatic.time.recip())?;
+        let report = solve_regularised(&self.assembly.system, &mut newton, &mut s, rate)?;
         Ok((s, report))
     }
 }
@@ -96,6 +122,11 @@ pub(crate) type Each<'a> = dyn FnMut(&State, Option<&Equilibrium>) + 'a;
 
 /// Stopping rule of the regularised iteration, close to rounding. Residual forces would appear as stiffness.
 const REGULARISED_STOP: StopRule = StopRule::Energy(1e-14);
+/// Frequencies of the regularisation relative to that of the loads. A larger one is slower, and less likely to reach an unstable
+/// equilibrium.
+const RATES: [f64; 3] = [1.0, 4.0, 16.0];
+/// Frequency of the last iterations, near the equilibrium.
+const LAST_RATE: f64 = 0.1;
 /// Maximum number of regularised iterations. Their convergence is slow.
 const REGULARISED_ITERATIONS: u32 = 1000;
 

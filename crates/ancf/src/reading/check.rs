@@ -5,7 +5,7 @@ use toml::Value;
 
 use super::meshes::read_meshes;
 use crate::assembly::{Assembly, contradictions, enclosures};
-use crate::checking::{broken_rules, with_memory};
+use crate::checking::{available, broken_rules, memory_of_equations, with_memory};
 use crate::errors::{Finding, ModelError, ModelErrors, finding, quoted};
 use crate::model::{
     ExternalLoad, IndexedModel, JointLaw, Load, Model, TimeFunction, TimeMode, Varying, loads_of,
@@ -103,7 +103,7 @@ impl Model {
     fn valid_assembly(&self, time_mode: TimeMode) -> Result<Assembly, ModelErrors> {
         self.check()?;
         self.check_supplies()?;
-        IndexedModel::new(&self.with_signals()).assembled(time_mode)
+        assembled(&IndexedModel::new(&self.with_signals()), time_mode)
     }
 
     /// Assembles the equations of the analysis. The model is a valid model in other units.
@@ -113,8 +113,15 @@ impl Model {
         self.check_by(broken_rules)?;
         self.check_supplies()?;
         let is_dynamic = self.analysis.dynamics().is_some();
-        IndexedModel::new(self).assembled(if is_dynamic { TimeMode::AsGiven } else { TimeMode::One })
+        assembled(&IndexedModel::new(self), if is_dynamic { TimeMode::AsGiven } else { TimeMode::One })
     }
+}
+
+/// Assembles a model and checks that its matrices fit into the available memory.
+fn assembled(model: &IndexedModel<'_>, time_mode: TimeMode) -> Result<Assembly, ModelErrors> {
+    let assembly = model.assembled(time_mode)?;
+    memory_of_equations(model, assembly.system.pattern(), available())?;
+    Ok(assembly)
 }
 
 /// Rules for models that satisfy the schema.

@@ -68,13 +68,18 @@ impl Model {
                 force_formula: "D/L",
             };
         }
-        let name = "the whole model".into();
+        // Without gravity the rate of a motion of rigid bodies is not known, but its duration.
+        let duration = self.analysis.dynamics().map(|own| own.duration);
         ReferenceQuantities {
-            name,
+            name: "the whole model".into(),
             length,
             line_mass: mass / length,
-            force: mass * length,
-            force_formula: "mass times L",
+            force: mass * length / duration.unwrap_or(1.0).powi(2),
+            force_formula: if duration.is_some() {
+                "mass times L by the squared duration"
+            } else {
+                "mass times L"
+            },
         }
     }
 }

@@ -13,7 +13,7 @@ use super::run::{
 };
 use crate::failure::{AlternationMonitor, RotationMonitor, RunFailure, StabilityMonitor, find_cause};
 use crate::initial::{InitialState, StartState};
-use crate::model::Dynamics;
+use crate::model::{Dynamics, Model};
 use crate::results::{AngleRates, Rows, TIME};
 
 /// Columns of the solver in dynamics.
@@ -88,10 +88,16 @@ fn rows(simulation: &Simulation) -> Rows {
 }
 
 /// Warnings if steps made energy, also at a start from rest, or if the scheme has lost a large part of the exchanged energy.
-pub(crate) fn energy_warnings(own: &Dynamics, dynamics: &TimeStepper<'_, System>) -> Vec<String> {
+///
+/// `scaled` is the model in solver units.
+pub(crate) fn energy_warnings(
+    own: &Dynamics,
+    scaled: &Model,
+    dynamics: &TimeStepper<'_, System>,
+) -> Vec<String> {
     let mut warnings = Vec::new();
     let (guard, is_fixed) = (&own.energy_guard, own.step.fixed().is_some());
-    let (record, rounding) = dynamics.energy_record();
+    let (record, rounding) = dynamics.energy_record(scaled.length());
     let (lost, created, reference) = (record.lost(), record.created(), record.reference());
     if record.refused() > 0 && is_fixed {
         warnings.push(format!(
@@ -179,7 +185,11 @@ impl<'a> AnalysisRun<'a> {
         self.summary.warnings.extend(motion.rotations.warning(self.assembly, self.summary.scales));
         self.summary.warnings.extend(motion.alternations.warning(self.summary.scales));
         if let Some(own) = motion.simulation.scaled.analysis.dynamics() {
-            self.summary.warnings.extend(energy_warnings(own, motion.control.dynamics()));
+            self.summary.warnings.extend(energy_warnings(
+                own,
+                &motion.simulation.scaled,
+                motion.control.dynamics(),
+            ));
         }
         if result.as_ref().is_ok_and(ControlFlow::is_continue)
             && self.summary.ended_by.is_none()

@@ -1,4 +1,4 @@
-use ancf_solver::dynamics::StepReport;
+use ancf_solver::dynamics::{AdaptiveStepper, StepReport};
 use ancf_solver::equations::State;
 use ancf_solver::newton::SolveError;
 
@@ -9,6 +9,9 @@ use crate::simulate::{SMALL_REMAINDER, Simulation};
 
 /// Smallest step relative to the time, a multiple of its rounding error.
 const SMALLEST_STEP: f64 = 1e-12;
+/// Distances, relative to the step of the model, below which rounding errors of a step are large: in velocities and
+/// accelerations, and in accelerations only.
+const TINY_STEPS: [f64; 2] = [1e-6, 1e-3];
 
 impl Stepper {
     /// Performs one step of the size h > 0.
@@ -32,21 +35,23 @@ impl Stepper {
         Ok(self.report)
     }
 
-    /// Advances to the time `until` in steps of the model: the last one is shorter, or up to 1 % longer.
+    /// Advances to the time `until` in steps of the model, up to 1 % longer. From a time, or to a time, that is no multiple of the step,
+    /// the steps are equal parts of the interval. In the first call the last one is shorter instead, as in a run.
     ///
-    /// The report has the sum of the counts, and the norms of the last step.
+    /// The report has the sum of the counts, and the norms of the last step. A time that differs from the present one by its rounding
+    /// error has no step.
     ///
     /// # Errors
     /// If the time is before the present one, or as [`step`](Self::step).
     pub fn advance(&mut self, until: f64) -> Result<StepReport, StepError> {
         let end = until / self.simulation.scales().time;
         let from = self.dynamics.state().t;
-        if !(until.is_finite() && end >= from) {
+        if !(until.is_finite() && end >= from - self.events.tolerance()) {
             let expected = format!("a time from the present one, {}, on", self.time());
             return Err(argument("until", until, &expected));
         }
         let mut total = StepReport::default();
-        if end == from {
+        if end <= from {
             return Ok(total);
         }
         self.apply_inputs()?;
@@ -54,12 +59,9 @@ impl Stepper {
             self.report = self.integrate_to(end, None)?;
             return Ok(self.report);
         };
-        // Multiples of the step, or equal steps from the present time.
-        let count = (from / h).round();
-        let (origin, first) =
-            if (from - count * h).abs() <= self.events.tolerance() { (0.0, count) } else { (from, 0.0) };
+        let (origin, h) = self.equal_steps(end, h);
         let last = ((end - origin) / h - SMALL_REMAINDER).floor();
-        let mut next = first + 1.0;
+        let mut next = ((from - origin) / h).round() + 1.0;
         while self.dynamics.state().t < end {
             let to = if next <= last { origin + next * h } else { end };
             if to > self.dynamics.state().t {
@@ -71,6 +73,19 @@ impl Stepper {
         Ok(total)
     }
 
+    /// Origin and size of the steps to a time: multiples of the step of the model, if both ends are multiples or the motion starts, or
+    /// equal parts of the interval.
+    fn equal_steps(&self, end: f64, h: f64) -> (f64, f64) {
+        let (from, tolerance) = (self.dynamics.state().t, self.events.tolerance());
+        let is_multiple = |t: f64| (t - (t / h).round() * h).abs() <= tolerance;
+        let starts = from <= self.simulation.scaled.initial.start_time;
+        if is_multiple(from) && (is_multiple(end) || starts) {
+            return (0.0, h);
+        }
+        let parts = ((end - from) / h - SMALL_REMAINDER).ceil().max(1.0);
+        (from, (end - from) / parts)
+    }
+
     /// Advances to a time, through all events, in steps of a largest size.
     fn integrate_to(&mut self, to: f64, largest: Option<f64>) -> Result<StepReport, StepError> {
         self.is_row_current = false;
@@ -80,7 +95,7 @@ impl Stepper {
             let event = self.events.next(assembly, inputs, [now, to]);
             let end = event.map_or(to, |event| event.min(to).next_down());
             if self.dynamics.state().t < end {
-                let report = self.substep(end, largest).map_err(|error| self.failed(error))?;
+                let report = self.substep(end, largest)?;
                 self.summary.count(&report);
                 total = total.then(&report);
             }
@@ -93,8 +108,30 @@ impl Stepper {
         Ok(total)
     }
 
-    /// Takes one step towards a time.
-    fn substep(&mut self, to: f64, largest: Option<f64>) -> Result<StepReport, SolveError> {
+    /// Takes one step towards a time. After a tiny step, the accelerations are those of the equations of motion.
+    fn substep(&mut self, to: f64, largest: Option<f64>) -> Result<StepReport, StepError> {
+        let [tiniest, tiny] = TINY_STEPS.map(|part| part * self.nominal_step());
+        let left = to - self.dynamics.state().t;
+        if left < tiniest && self.dynamics.pending_time().is_none() {
+            let done = self.dynamics.extrapolate(to);
+            done.map_err(|error| self.failed(error))?;
+            self.restarted();
+            return Ok(StepReport::default());
+        }
+        let report = self.integrate_step(to, largest).map_err(|error| self.failed(error))?;
+        if left < tiny {
+            self.restart(self.dynamics.state().t)?;
+        }
+        Ok(report)
+    }
+
+    /// Step of the model, or the present one with error control.
+    fn nominal_step(&self) -> f64 {
+        self.step.unwrap_or_else(|| self.adaptive.as_ref().map_or(0.0, AdaptiveStepper::step_size))
+    }
+
+    /// Integrates one step towards a time.
+    fn integrate_step(&mut self, to: f64, largest: Option<f64>) -> Result<StepReport, SolveError> {
         let Self { dynamics, adaptive, rows, monitors, .. } = self;
         let mut accepted = |s: &State| {
             rows.count_turns(s.t, s, AngleRates::Velocities);

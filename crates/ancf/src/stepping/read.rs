@@ -76,7 +76,9 @@ impl Stepper {
     fn warnings_of_steps(&self) -> Vec<String> {
         let (assembly, scales) = (&self.simulation.assembly, self.simulation.scales());
         let settings = self.simulation.scaled.analysis.dynamics();
-        let energy = settings.map(|own| energy_warnings(own, &self.dynamics)).unwrap_or_default();
+        let energy = settings
+            .map(|own| energy_warnings(own, &self.simulation.scaled, &self.dynamics))
+            .unwrap_or_default();
         let rotations = self.monitors.rotations.warning(assembly, scales);
         rotations.into_iter().chain(self.monitors.alternations.warning(scales)).chain(energy).collect()
     }

@@ -104,10 +104,15 @@ impl Stepper {
     pub(super) fn restart(&mut self, t: f64) -> Result<(), StepError> {
         self.is_row_current = false;
         self.dynamics.restart(t).map_err(|error| self.failed(error))?;
+        self.restarted();
+        Ok(())
+    }
+
+    /// Counts the turns after a restart, and examines its state.
+    pub(super) fn restarted(&mut self) {
         let s = self.dynamics.state();
         self.rows.count_turns(s.t, s, AngleRates::Velocities);
         self.monitors.examine(s);
-        Ok(())
     }
 
     /// Error of a failed computation, with its cause.

@@ -126,6 +126,11 @@ impl AdaptiveStepper {
         Self { functions: Some(functions), ..self }
     }
 
+    /// Returns the size of the next step.
+    pub fn step_size(&self) -> f64 {
+        self.sizes.next.min(self.control.largest)
+    }
+
     /// Performs one step within the tolerance towards the time `to`. The last step ends exactly there.
     ///
     /// # Errors
@@ -136,10 +141,7 @@ impl AdaptiveStepper {
         to: f64,
     ) -> Result<StepReport, SolveError> {
         let mut report = StepReport::default();
-        if dynamics.motion.at_start {
-            self.sizes.last = None;
-            self.estimate.restart();
-        }
+        self.begin(dynamics);
         let from = dynamics.state().t;
         let (mut size, mut failed) = (self.sizes.next, false);
         loop {
@@ -175,6 +177,14 @@ impl AdaptiveStepper {
         }
     }
 
+    /// Discards the history at a start or restart.
+    fn begin<E: EquationsOfMotion>(&mut self, dynamics: &TimeStepper<'_, E>) {
+        if dynamics.motion.at_start {
+            self.sizes.last = None;
+            self.estimate.restart();
+        }
+    }
+
     /// Attempts a step and returns x = target error / estimated error. The step is accepted for x ≥ [`TARGET`].
     fn attempt<E: EquationsOfMotion>(
         &mut self,
@@ -185,6 +195,8 @@ impl AdaptiveStepper {
     ) -> Result<f64, SolveError> {
         // The error estimate needs the current iteration matrix as a filter.
         dynamics.newton.tangent.renew();
+        dynamics.adapt_velocities(h)?;
+        self.begin(dynamics);
         let done = dynamics.attempt(h, end)?;
         let error = self.estimate.error(dynamics, &done, h);
         let mut error = error.inspect_err(|_| dynamics.revert())?;

@@ -5,8 +5,9 @@ use nalgebra::DVector;
 
 use super::kinks::Kinks;
 use super::shapes::{DAMPED_COLUMNS, MAX_RESIDUAL};
+use crate::failure::instability;
 use crate::initial::StartState;
-use crate::model::{Model, Modes};
+use crate::model::{About, Model, Modes};
 use crate::simulate::run::{AnalysisRun, RunResult};
 
 /// Velocity of finite differences, in model lengths per unit of time.
@@ -59,6 +60,17 @@ impl AnalysisRun<'_> {
         let rate = self.summary.scales.time.recip();
         let warning = |(k, mode): (usize, &DampedMode)| growth_text(k + 1, mode, rate);
         self.summary.warnings.extend(modes.iter().enumerate().filter_map(warning));
+        let grows = modes.iter().any(|mode| mode.eigenvalue.re > 0.0);
+        if let Some(found) =
+            instability(self.assembly, &about).filter(|_| settings.about == About::Equilibrium && !grows)
+        {
+            self.summary.warnings.push(format!(
+                "the equilibrium is unstable without velocities in {}, most at {}: forces that depend on velocities stabilise it, and \
+                 damping of the structure may not; the initial state decides which equilibrium is found",
+                found.directions(),
+                self.assembly.name_in(found.at, self.summary.scales.length)
+            ));
+        }
         let values = |mode: &DampedMode| {
             vec![mode.frequency() * rate, mode.damping_ratio(), mode.eigenvalue.re * rate, mode.residual]
         };

@@ -27,6 +27,7 @@ pub(crate) fn columns(assembly: &Assembly, solver: &[&str]) -> Vec<Column> {
     let dimension = |name: &str| match name {
         "frequency" | "frequency_error" | "growth_rate" => Some(Dimension::RATE),
         "squared" => Some(Dimension::new(0, -2, 0)),
+        "factor" | "factor_error" | "damping_ratio" => Some(Dimension::NUMBER),
         _ => None,
     };
     let mut columns = vec![Column::new("mode", None)];

@@ -183,3 +183,161 @@ fn steppers_are_independent() {
     let mut stepper = Stepper::start(stopped, None).unwrap();
     assert!(matches!(stepper.step(1e-3), Err(StepError::Interrupted)));
 }
+
+/// Beam with a body at its end and a force that an input sets.
+fn held_beam(analysis: &str) -> ancf::Model {
+    parse(&format!(
+        r#"gravity = [0, 0, -9.81]
+        inputs = [{{ name = "u", value = 0 }}]
+        materials.m = {{ density = 1000, young = 1e7, poisson = 0.3 }}
+        sections.s = {{ kind = "circle", diameter = 0.05 }}
+        bodies = [{{ kind = "beam", name = "b", from = [0, 0, 0], to = [1, 0, 0], elements = 4, section = "s", material = "m" }},
+            {{ kind = "rigid", name = "r", center = [1, 0, 0], mass = 2, inertia = [0.1, 0.1, 0.1] }}]
+        joints = [{{ kind = "clamp", name = "c", a = {{ body = "b", at = "start" }} }},
+            {{ kind = "clamp", name = "d", a = {{ body = "b", at = "end" }}, b = {{ body = "r", at = "center" }} }}]
+        loads = [{{ kind = "force", on = {{ body = "b", at = "end" }}, force = [0, 0, 1], time = {{ kind = "input", name = "u" }} }}]
+        probes = [{{ name = "p", on = {{ body = "b", at = "end" }} }}]
+        [analysis]
+        kind = "dynamics"
+        duration = 1
+        {analysis}"#
+    ))
+}
+
+/// Tiny distances, such as a rounding error of the time, do not multiply rounding errors of the positions.
+#[test]
+fn tiny_steps_keep_accelerations_and_reactions() {
+    let h: f64 = 1.0 / 3000.0;
+    let columns = ["p.z", "p.vz", "p.az", "c.fz", "d.fz"];
+    for analysis in [
+        "step = 2e-3\nscheme = { spectral_radius = 0.8 }",
+        "step = 2e-3\nscheme = \"average_acceleration\"",
+        "step = { tolerance = 1e-6 }",
+    ] {
+        // Without a distance, and with distances that end a step and begin the next one.
+        let moved = |distances: &[f64]| {
+            let mut stepper = Stepper::new(&held_beam(analysis)).unwrap();
+            stepper.set("u", 30.0).unwrap();
+            (0..18).for_each(|_| _ = stepper.step(h).unwrap());
+            for distance in distances {
+                stepper.advance(stepper.time() + distance).unwrap();
+            }
+            let read = |stepper: &mut Stepper| columns.map(|column| stepper.read(column).unwrap());
+            let near = read(&mut stepper);
+            (0..3).for_each(|_| _ = stepper.step(h).unwrap());
+            (near, read(&mut stepper))
+        };
+        let exact = moved(&[]);
+        for distances in [
+            &[8.7e-19][..],
+            &[1e-17; 3],
+            &[1e-15],
+            &[1e-13; 5],
+            &[1e-11],
+            &[1e-9; 3],
+            &[1.9e-9],
+            &[2.1e-9],
+            &[1e-8; 4],
+            &[1e-7],
+            &[1.9e-6],
+        ] {
+            let found = moved(distances);
+            for (found, exact) in [(found.0, exact.0), (found.1, exact.1)] {
+                let sizes = [1.0, 1.0, 10.0, 60.0, 60.0];
+                for ((column, size), (a, b)) in columns.iter().zip(sizes).zip(found.into_iter().zip(exact)) {
+                    assert!((a - b).abs() < 5e-3 * size, "{analysis}, {distances:?}, {column}: {a} {b}");
+                }
+            }
+        }
+    }
+}
+
+/// A time before the present one by a rounding error is the present one.
+#[test]
+fn a_time_within_its_rounding_error_has_no_step() {
+    let mut stepper = Stepper::new(&held_beam("step = 2e-3")).unwrap();
+    (0..10).for_each(|_| _ = stepper.step(0.001).unwrap());
+    let time = stepper.time();
+    let row = stepper.row().to_vec();
+    for until in [0.01, time.next_down()] {
+        stepper.advance(until).unwrap();
+        assert_eq!((stepper.time().to_bits(), bits(stepper.row())), (time.to_bits(), bits(&row)), "{until}");
+    }
+    // A later time is reached, so that loops end.
+    let columns = ["p.z", "p.vz", "p.az", "c.fz"];
+    let read = |stepper: &mut Stepper| columns.map(|column| stepper.read(column).unwrap());
+    let before = read(&mut stepper);
+    stepper.advance(time.next_up()).unwrap();
+    assert_eq!(stepper.time().to_bits(), time.next_up().to_bits());
+    for (a, b) in read(&mut stepper).into_iter().zip(before) {
+        assert!((a - b).abs() < 2e-3 * (1.0 + b.abs()), "{a} {b}");
+    }
+    assert!(stepper.advance(time - 1e-6).is_err());
+}
+
+/// Angle and vertical reaction of a pendulum with a torsion spring at the time 1, by Runge-Kutta steps of its closed equation.
+fn exact_pendulum() -> [f64; 2] {
+    let rate = |[angle, rate]: [f64; 2]| [rate, (9.81 * angle.cos() - 20.0 * angle - 0.1 * rate) / 0.7];
+    let (mut x, n) = ([0.0, 0.0], 10_000);
+    let h = 1.0 / f64::from(n);
+    for _ in 0..n {
+        let moved = |k: [f64; 2], h: f64| [x[0] + h * k[0], x[1] + h * k[1]];
+        let k1 = rate(x);
+        let k2 = rate(moved(k1, 0.5 * h));
+        let k3 = rate(moved(k2, 0.5 * h));
+        let k4 = rate(moved(k3, h));
+        x = [0, 1].map(|i| x[i] + h / 6.0 * (k1[i] + 2.0 * k2[i] + 2.0 * k3[i] + k4[i]));
+    }
+    let [_, acceleration] = rate(x);
+    let vertical = -0.5 * (x[0].cos() * acceleration - x[0].sin() * x[1] * x[1]);
+    [x[0], 2.0 * (vertical + 9.81)]
+}
+
+/// Steps of varying sizes have errors of second order in positions and reactions, as steps of one size.
+#[test]
+fn steps_of_varying_sizes_are_stable() {
+    let exact = exact_pendulum();
+    for scheme in [
+        "{ spectral_radius = 0.8 }",
+        "{ spectral_radius = 0 }",
+        "{ alpha = -0.2 }",
+        "\"average_acceleration\"",
+    ] {
+        let text = format!(
+            r#"gravity = [0, 0, -9.81]
+            bodies = [{{ kind = "rigid", name = "b", center = [0.5, 0, 0], mass = 2, inertia = [0.1, 0.2, 0.2] }}]
+            joints = [{{ kind = "revolute", name = "j", a = {{ body = "b", at = [0, 0, 0] }}, axis = [0, 1, 0],
+                spring = {{ stiffness = 20, damping = 0.1 }} }}]
+            analysis = {{ kind = "dynamics", duration = 1, step = 1e-2, scheme = {scheme} }}"#
+        );
+        let model = parse(&text);
+        for pattern in [
+            &[1.0][..],
+            &[0.5, 1.5],
+            &[0.1, 1.9],
+            &[1.0, 0.01, 1.99],
+            &[0.9, 1.1],
+            &[1.0, 1e-3],
+            &[0.3, 1.0, 1.7],
+        ] {
+            let errors = [100, 400].map(|n| {
+                let mut stepper = Stepper::new(&model).unwrap();
+                for k in 0.. {
+                    let left = 1.0 - stepper.time();
+                    if left <= 1e-9 {
+                        break;
+                    }
+                    stepper.step((pattern[k % pattern.len()] / f64::from(n)).min(left)).unwrap();
+                }
+                let found = ["j.angle", "j.fz"].map(|column| stepper.read(column).unwrap());
+                [(found[0] - exact[0]).abs(), (found[1] - exact[1]).abs()]
+            });
+            let [[coarse, coarse_force], [fine, fine_force]] = errors;
+            assert!(coarse < 5e-3 && fine < coarse / 12.0, "{scheme} {pattern:?}: {coarse} {fine}");
+            assert!(
+                coarse_force < 0.15 && fine_force < 0.01,
+                "{scheme} {pattern:?}: {coarse_force} {fine_force}"
+            );
+        }
+    }
+}

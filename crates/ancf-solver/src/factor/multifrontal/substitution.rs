@@ -2,6 +2,7 @@ use std::ops::{Deref, Range};
 
 use pulp::NullaryFnOnce;
 
+use super::factor_values::FactorSection;
 use crate::sparse::{QUAD, Quad, RowRun, Subtree, Supernode, Supernodes, VectorSection, with_shape};
 
 /// View of a vector for a subtree: its own positions, and the rows below its root, stored outside. The trunk sees all.
@@ -108,7 +109,7 @@ pub(crate) fn copy_outside(supernodes: &Supernodes, subtree: &Subtree, x: &[f64]
 pub(crate) struct Forward<'a> {
     pub(crate) supernodes: &'a Supernodes,
     pub(crate) range: Range<usize>,
-    pub(crate) l: &'a [f64],
+    pub(crate) l: FactorSection<'a>,
     pub(crate) x: SubtreeView<'a, &'a mut [f64]>,
     pub(crate) part: &'a mut [Quad],
 }
@@ -120,7 +121,7 @@ impl NullaryFnOnce for Forward<'_> {
     fn call(mut self) {
         for at in self.range {
             let (supernode, runs) = (&self.supernodes.list[at], self.supernodes.runs(at));
-            let (shape, l) = (supernode.shape(), self.l[supernode.values()].as_chunks().0);
+            let (shape, l) = (supernode.shape(), self.l.of(supernode).as_chunks().0);
             let part = &mut self.part[..shape.height];
             self.x.gather(part, supernode, runs);
             with_shape!(shape = shape, super::dense::forward(shape, l, part));
@@ -140,7 +141,7 @@ impl NullaryFnOnce for Forward<'_> {
 pub(crate) struct Backward<'a> {
     pub(crate) supernodes: &'a Supernodes,
     pub(crate) range: Range<usize>,
-    pub(crate) l: &'a [f64],
+    pub(crate) l: FactorSection<'a>,
     pub(crate) inverse: &'a [f64],
     pub(crate) x: SubtreeView<'a, &'a mut [f64]>,
     pub(crate) part: &'a mut [Quad],
@@ -153,7 +154,7 @@ impl NullaryFnOnce for Backward<'_> {
     fn call(mut self) {
         for at in self.range.rev() {
             let (supernode, runs) = (&self.supernodes.list[at], self.supernodes.runs(at));
-            let (shape, l) = (supernode.shape(), self.l[supernode.values()].as_chunks().0);
+            let (shape, l) = (supernode.shape(), self.l.of(supernode).as_chunks().0);
             let own = self.x.own_mut(supernode).iter_mut();
             own.zip(&self.inverse[supernode.own()]).for_each(|(x, inverse)| *x *= inverse);
             let part = &mut self.part[..shape.height];

@@ -12,6 +12,9 @@ const LARGE: usize = 32;
 /// Number of quads of columns of a panel.
 const PANEL: usize = 8;
 
+/// Minimum number of columns of a block that a thread updates.
+const BLOCK: usize = 128;
+
 /// Number of quads of rows that are processed at once within a panel.
 const ROWS: usize = 4;
 
@@ -87,23 +90,46 @@ fn subtract_products(
             height,
             columns,
         );
-        let (triangle, rectangle) = part.subrows_mut(first_row, height - first_row).split_at_row_mut(columns);
-        let (ld, l) = (ld.subrows(skipped, ld.nrows() - skipped), l.subrows(skipped, columns).transpose());
-        let (ld_triangle, ld_rectangle) = ld.split_at_row(columns);
-        triangular::matmul(
-            triangle,
-            BlockStructure::TriangularLower,
-            Accum::Add,
-            ld_triangle,
-            BlockStructure::Rectangular,
-            l,
-            BlockStructure::Rectangular,
-            -1.0,
-            Par::Seq,
-        );
-        if rectangle.nrows() > 0 {
-            matmul(rectangle, Accum::Add, ld_rectangle, l, -1.0, Par::Seq);
+        let part = part.subrows_mut(first_row, height - first_row);
+        let (ld, l) = (ld.subrows(skipped, ld.nrows() - skipped), l.subrows(skipped, columns));
+        subtract_product(part, ld, l);
+    }
+}
+
+/// Subtracts the lower trapezoid of L D Lᵀ, in parallel blocks of columns. The blocks, and therefore the results, do not depend on
+/// the number of threads.
+fn subtract_product(part: MatMut<'_, f64>, ld: MatRef<'_, f64>, l: MatRef<'_, f64>) {
+    let columns = part.ncols();
+    if columns >= 2 * BLOCK {
+        let middle = columns / 2;
+        let (left, right) = part.split_at_col_mut(middle);
+        let right = right.subrows_mut(middle, ld.nrows() - middle);
+        let (l_left, l_right) = l.split_at_row(middle);
+        let one = || subtract_product(left, ld, l_left);
+        let other = || subtract_product(right, ld.subrows(middle, ld.nrows() - middle), l_right);
+        if rayon::current_num_threads() > 1 {
+            rayon::join(one, other);
+        } else {
+            one();
+            other();
         }
+        return;
+    }
+    let (triangle, rectangle) = part.split_at_row_mut(columns);
+    let ((ld_triangle, ld_rectangle), l) = (ld.split_at_row(columns), l.transpose());
+    triangular::matmul(
+        triangle,
+        BlockStructure::TriangularLower,
+        Accum::Add,
+        ld_triangle,
+        BlockStructure::Rectangular,
+        l,
+        BlockStructure::Rectangular,
+        -1.0,
+        Par::Seq,
+    );
+    if rectangle.nrows() > 0 {
+        matmul(rectangle, Accum::Add, ld_rectangle, l, -1.0, Par::Seq);
     }
 }
 

@@ -24,10 +24,6 @@ use clap::{CommandFactory, FromArgMatches, Parser};
 use command::Command;
 use terminal::{Colour, Ended, JsonErrors, OutputMode};
 
-/// Reading and checking models allocates many small blocks: a fifth less time than with the allocator of the C library.
-#[global_allocator]
-static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
-
 /// Flexible multibody dynamics on the absolute nodal coordinate formulation.
 #[derive(Debug, Parser)]
 // Without `bin_name`, help on Windows has the name `ancf.exe`.

@@ -1,5 +1,6 @@
 //! Time integration: schemes, fixed and controlled step sizes, initial conditions.
 
+mod advance;
 mod control;
 mod damping_work;
 mod energy_guard;
@@ -8,7 +9,6 @@ mod errors;
 mod given_state;
 mod integration_state;
 mod predictor;
-mod restart;
 mod resume;
 mod scheme;
 mod start;

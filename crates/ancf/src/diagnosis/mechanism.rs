@@ -29,6 +29,10 @@ impl Assembly {
         let unknowns = 6 * rigid.bodies.len() + rigid.joint_coordinates.len();
         let motions: Vec<(usize, SparseVector)> =
             rigid.kernel(self, s)?.basis(unknowns).into_iter().collect();
+        if motions.is_empty() {
+            // The stiffness would take as much memory as that of the solution.
+            return Some(Vec::new());
+        }
         let free = self.without_stiffness(s, &rigid, &motions);
         let moves = free.iter().filter(|(leader, motion)| rigid.moves_bodies(*leader, motion));
         Some(moves.map(|(leader, motion)| rigid.describe(self, leader / 6, motion)).collect())

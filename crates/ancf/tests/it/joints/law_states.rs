@@ -6,6 +6,7 @@ use ancf::{Model, Simulation, Summary};
 use nalgebra::{Matrix3, Vector3};
 
 use crate::common::models::parse;
+use crate::common::solutions::Run;
 use crate::runs::given_states::States;
 
 /// Mass 2 on a guide along x with a force law.
@@ -230,4 +231,37 @@ fn errors_of_states_have_their_places() {
     assert!(infinite.contains("states[0].rate: found a formula that is inf at the start"), "{infinite}");
     let errors = message("{ name = \"z\", rate = \"x\" }", "output = { errors = true }\n");
     assert!(errors.contains("output.errors: found true"), "{errors}");
+}
+
+/// Rigid bodies without gravity have no rate of their own: the number of iterations does not depend on the unit of time.
+#[test]
+fn states_of_laws_do_not_depend_on_the_unit_of_time() {
+    let text = |t: f64| {
+        format!(
+            r#"bodies = [{{ kind = "rigid", name = "arm", center = [0.5, 0, 0], mass = 1, inertia = [0.1, 0.1, 0.1] }}]
+            [[joints]]
+            kind = "revolute"
+            name = "motor"
+            a = {{ body = "arm", at = [0, 0, 0] }}
+            axis = [0, 0, 1]
+            moment = {{ kind = "expression", units = {{ length = 1.0, time = {:?}, force = {:?} }}, text = "30*(1 - angle) + 20*sum - 5*slope",
+                states = [{{ name = "sum", rate = "1 - angle" }}, {{ name = "slope", rate = "(rate - slope)/0.005" }}] }}
+            [analysis]
+            kind = "dynamics"
+            duration = {:?}
+            step = {:?}"#,
+            1.0 / t,
+            t * t,
+            0.5 * t,
+            1e-3 * t
+        )
+    };
+    let runs = [1.0, 1e3, 1e6, 1e-3].map(|unit| Run::of(&parse(&text(unit))));
+    let [first, others @ ..] = &runs;
+    for other in others {
+        let ratio = other.summary.iterations as f64 / first.summary.iterations as f64;
+        assert!((ratio - 1.0).abs() < 0.02, "{ratio}");
+        let [own, reference] = [other, first].map(|run| *run.column("motor.angle").last().unwrap());
+        assert!((own - reference).abs() < 1e-9, "{own} {reference}");
+    }
 }

@@ -150,3 +150,28 @@ fn skew_parts_are_those_of_the_derivatives() {
         assert!((&skew - &exact).amax() < 1e-12 && exact.amax() > 1e-2, "{skew} not {exact}");
     }
 }
+
+/// A body at rest in its equilibrium on a rotating ground has no motion, but rounding errors of the work of centrifugal forces.
+#[test]
+fn bodies_at_rest_on_a_rotating_ground_have_no_warning() {
+    for rate in [1.0, 10.0, 100.0] {
+        for scheme in ["{ spectral_radius = 0.8 }", "\"energy\"", "\"average_acceleration\""] {
+            for step in ["1e-2", "1e-3"] {
+                let text = format!(
+                    r#"loads = [{{ kind = "base_rotation", angular_velocity = [0, 0, {rate:?}] }}]
+                    bodies = [{{ kind = "rigid", name = "b", center = [1, 0, 0], mass = 1, inertia = [0.01, 0.1, 0.1] }}]
+                    joints = [{{ kind = "revolute", name = "j", a = {{ body = "b", at = [0, 0, 0] }}, axis = [0, 1, 0] }}]
+                    probes = [{{ name = "p", on = {{ body = "b", at = "center" }} }}]
+                    analysis = {{ kind = "dynamics", duration = 0.1, step = {step}, scheme = {scheme} }}"#
+                );
+                let run = Run::of(&parse(&text));
+                assert!(
+                    run.summary.warnings.is_empty(),
+                    "{rate} {scheme} {step}: {:?}",
+                    run.summary.warnings
+                );
+                assert!(run.column("p.z").iter().all(|z| z.abs() < 1e-14));
+            }
+        }
+    }
+}

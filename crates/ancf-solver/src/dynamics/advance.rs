@@ -1,7 +1,9 @@
 use super::damping_work::PowerIntegral;
+use super::integration_state::DividedStep;
 use super::start::{Projected, accelerations, project};
+use super::step_report::StepReport;
 use super::time_stepper::TimeStepper;
-use crate::equations::EquationsOfMotion;
+use crate::equations::{EquationsOfMotion, State};
 use crate::newton::{Newton, SolveError};
 
 /// Relative difference of step sizes up to which they count as equal.
@@ -10,6 +12,59 @@ const SAME: f64 = 0.01;
 const NEAR: f64 = 0.25;
 
 impl<E: EquationsOfMotion> TimeStepper<'_, E> {
+    /// Advances to the time `to`, in one step or in 2, 4, 8, ... equal substeps if Newton's method fails.
+    ///
+    /// Afterwards the step size doubles with each step up to its full size.
+    ///
+    /// # Errors
+    /// If the smallest permitted step fails. The state is then that of the last converged substep. A repeated call
+    /// resumes the step there.
+    pub fn advance(&mut self, to: f64) -> Result<StepReport, SolveError> {
+        self.advance_with(to, |_| ())
+    }
+
+    /// Advances as [`advance`](Self::advance); `accepted` receives the state after each accepted substep.
+    ///
+    /// # Errors
+    /// As [`advance`](Self::advance).
+    pub fn advance_with(
+        &mut self,
+        to: f64,
+        mut accepted: impl FnMut(&State),
+    ) -> Result<StepReport, SolveError> {
+        let divided = self.motion.divided.filter(|divided| divided.to == to);
+        let DividedStep { mut h, mut left, mut halvings, mut report, .. } = divided.unwrap_or_else(|| {
+            let halvings = self.motion.halvings.min(self.max_halvings);
+            let h = (to - self.motion.state.t) / f64::from(halvings).exp2();
+            DividedStep { to, h, left: 1_u64 << halvings, halvings, report: StepReport::default() }
+        });
+        while left > 0 {
+            let adapted = self.adapt_velocities(h);
+            match adapted.and_then(|()| self.attempt(h, to - (left - 1) as f64 * h)) {
+                Ok(done) => {
+                    self.accept(&done, &mut report);
+                    left -= 1;
+                    self.motion.divided = (left > 0).then_some(DividedStep { to, h, left, halvings, report });
+                    accepted(&self.motion.state);
+                }
+                Err(error) => {
+                    report.iterations += error.iterations;
+                    if halvings == self.max_halvings || error.is_final() {
+                        return Err(error);
+                    }
+                    (h, left, halvings) = (0.5 * h, 2 * left, halvings + 1);
+                }
+            }
+        }
+        self.motion.halvings = halvings.saturating_sub(1);
+        Ok(report)
+    }
+
+    /// Returns the end time of a divided step that is not complete.
+    pub fn pending_time(&self) -> Option<f64> {
+        self.motion.divided.map(|divided| divided.to)
+    }
+
     /// Restarts at a time t with the current q and v: at the start, and at jumps of loads or prescribed motions.
     ///
     /// Velocities are projected onto Φ_q v + Φ_t = 0. Accelerations and multipliers follow from the equations of

@@ -16,23 +16,31 @@ impl StateUpdate for CoordinateUpdate {
 }
 
 /// Estimates the circular frequency √(a/L) of the motions that loads stabilise over a length L, by the mean acceleration a of free
-/// masses under the forces of a state.
+/// masses under the forces of a state. The largest frequency of several groups of coordinates, such as those of bodies, counts.
 ///
-/// a² = Σ fᵢ²/Mᵢᵢ / Σ Mᵢᵢ. Under gravity it is g, so that the rate of a pendulum of the length L is exact. `matrix` is any matrix of the
-/// pattern of `eom`.
-pub fn load_rate(eom: &dyn EquationsOfMotion, matrix: &mut SparseMatrix, s: &State, length: f64) -> f64 {
+/// a² = Σ fᵢ²/Mᵢᵢ / Σ Mᵢᵢ. `matrix` is any matrix of the pattern of `eom`.
+pub fn load_rate(
+    eom: &dyn EquationsOfMotion,
+    matrix: &mut SparseMatrix,
+    s: &State,
+    length: f64,
+    groups: impl Iterator<Item = Vec<usize>>,
+) -> f64 {
     eom.tangent(s, Weights::MASS, matrix);
     let mut residual = vec![0.0; s.q.len() + s.lambda.len()];
     eom.residual(s, &mut residual);
-    let (mut squares, mut masses) = (0.0, 0.0);
-    for (i, force) in residual[..s.q.len()].iter().enumerate() {
-        let mass = matrix.diagonal_of(i);
-        if mass > 0.0 {
-            squares += force * force / mass;
-            masses += mass;
+    let squared = |group: Vec<usize>| {
+        let (mut squares, mut masses) = (0.0, 0.0);
+        for i in group {
+            let mass = matrix.diagonal_of(i);
+            if mass > 0.0 {
+                squares += residual[i] * residual[i] / mass;
+                masses += mass;
+            }
         }
-    }
-    if masses > 0.0 { ((squares / masses).sqrt() / length).sqrt() } else { 0.0 }
+        if masses > 0.0 { (squares / masses).sqrt() / length } else { 0.0 }
+    };
+    groups.map(squared).fold(0.0, f64::max).sqrt()
 }
 
 /// Iterates a state to an equilibrium that only the load stabilises, such as that of a pendulum.

@@ -1,17 +1,19 @@
 use std::ops::ControlFlow;
 
+use ancf_mechanics::bodies::BodyTerms;
 use ancf_solver::equations::{EquationsOfMotion, State, System};
 use ancf_solver::newton::{
     EquilibriumError, Interrupt, Newton, NewtonReport, SolveError, SolveFailure, StopRule,
 };
 use ancf_solver::statics::{Equilibrium, LoadIncrements, LoadStepper, load_rate, solve_regularised};
+use nalgebra::Vector3;
 
 use super::start_state::{StartState, require_alignment};
 use super::static_start::StaticStart;
 use crate::assembly::Assembly;
 use crate::failure::{RunFailure, find_cause, instability, require_support};
 use crate::model::{Model, Statics};
-use crate::units::{ScaleChoice, Scales};
+use crate::units::Scales;
 
 /// Search for the equilibrium of a model under all its loads.
 pub(crate) struct EquilibriumSearch<'a> {
@@ -99,12 +101,18 @@ impl EquilibriumSearch<'_> {
         }
     }
 
-    /// Circular frequency of motions under the loads over the length of the model.
+    /// Circular frequency of motions under the loads over the length of the model: √(g/L) under gravity.
     fn rate(&self, start: &State) -> f64 {
-        let automatic = Model { scales: ScaleChoice::Auto, ..self.model.clone() }.scales().scales;
-        let (system, loaded) = (&self.assembly.system, State { load: self.settings.load, ..start.clone() });
-        let rate = load_rate(system, &mut system.matrix(), &loaded, automatic.length);
-        if rate.is_normal() { rate } else { automatic.time.recip() }
+        let (system, length) = (&self.assembly.system, self.model.length());
+        let loaded = State { load: self.settings.load, ..start.clone() };
+        let coordinates = |body: &BodyTerms| {
+            body.vectors(start).iter().flat_map(|vector| vector.first..vector.first + 3).collect()
+        };
+        let bodies = self.assembly.bodies().map(|(_, body)| coordinates(body));
+        let of_loads = load_rate(system, &mut system.matrix(), &loaded, length, bodies);
+        let of_gravity = (Vector3::from(self.model.gravity).norm() / length).sqrt();
+        let rate = of_loads.max(of_gravity);
+        if rate.is_normal() { rate } else { 1.0 }
     }
 
     /// Returns the equilibrium of a model that is supported by its loads only, without contacts.

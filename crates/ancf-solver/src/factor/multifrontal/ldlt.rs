@@ -250,7 +250,7 @@ mod tests {
                 [all, FactorStorage::Trunk].map(|storage| run(20, threads, storage));
             assert!(complete == l_with_subtrees && results == with_subtrees && same == with_subtrees);
             assert!(
-                0 < trunk.len() && 4 * trunk.len() < complete.len(),
+                !trunk.is_empty() && 4 * trunk.len() < complete.len(),
                 "{} {}",
                 trunk.len(),
                 complete.len()

@@ -6,14 +6,13 @@ use ancf_solver::newton::{
     EquilibriumError, Interrupt, Newton, NewtonReport, SolveError, SolveFailure, StopRule,
 };
 use ancf_solver::statics::{Equilibrium, LoadIncrements, LoadStepper, load_rate, solve_regularised};
-use nalgebra::Vector3;
 
 use super::start_state::{StartState, require_alignment};
 use super::static_start::StaticStart;
 use crate::assembly::Assembly;
 use crate::failure::{RunFailure, find_cause, instability, require_support};
 use crate::model::{Model, Statics};
-use crate::units::Scales;
+use crate::units::{ScaleChoice, Scales};
 
 /// Search for the equilibrium of a model under all its loads.
 pub(crate) struct EquilibriumSearch<'a> {
@@ -68,13 +67,7 @@ impl EquilibriumSearch<'_> {
         let rate = self.rate(&start);
         let mut best: Option<(State, NewtonReport, usize)> = None;
         for factor in RATES {
-            let found = self.regularised(start.clone(), factor * rate);
-            // The last iterations converge fast: residual forces would appear as stiffness.
-            let found = found.map(|(state, report)| {
-                let closer = self.regularised(state.clone(), LAST_RATE * rate);
-                closer.unwrap_or((state, report))
-            });
-            let (settled, report) = match found {
+            let (settled, report) = match self.regularised(start.clone(), factor * rate) {
                 Ok(found) => found,
                 Err(error) if error.failure == SolveFailure::Interrupted => return Err(error.into()),
                 Err(_) => continue,
@@ -101,7 +94,8 @@ impl EquilibriumSearch<'_> {
         }
     }
 
-    /// Circular frequency of motions under the loads over the length of the model: √(g/L) under gravity.
+    /// Circular frequency of motions under the loads over the length of the model. A body of length L under gravity has the rate
+    /// √(g/L), the inverse time of the automatic scales.
     fn rate(&self, start: &State) -> f64 {
         let (system, length) = (&self.assembly.system, self.model.length());
         let loaded = State { load: self.settings.load, ..start.clone() };
@@ -110,9 +104,14 @@ impl EquilibriumSearch<'_> {
         };
         let bodies = self.assembly.bodies().map(|(_, body)| coordinates(body));
         let of_loads = load_rate(system, &mut system.matrix(), &loaded, length, bodies);
-        let of_gravity = (Vector3::from(self.model.gravity).norm() / length).sqrt();
-        let rate = of_loads.max(of_gravity);
-        if rate.is_normal() { rate } else { 1.0 }
+        let automatic =
+            Model { scales: ScaleChoice::Auto, ..self.model.clone() }.scales().scales.time.recip();
+        let has_gravity = self.model.gravity != [0.0; 3];
+        if of_loads.is_normal() && (!has_gravity || of_loads > GRAVITY * automatic) {
+            of_loads
+        } else {
+            automatic
+        }
     }
 
     /// Returns the equilibrium of a model that is supported by its loads only, without contacts.
@@ -132,9 +131,9 @@ pub(crate) type Each<'a> = dyn FnMut(&State, Option<&Equilibrium>) + 'a;
 const REGULARISED_STOP: StopRule = StopRule::Energy(1e-14);
 /// Frequencies of the regularisation relative to that of the loads. A larger one is slower, and less likely to reach an unstable
 /// equilibrium.
-const RATES: [f64; 3] = [1.0, 4.0, 16.0];
-/// Frequency of the last iterations, near the equilibrium.
-const LAST_RATE: f64 = 0.1;
+const RATES: [f64; 4] = [1.0, 1.5, 2.5, 4.0];
+/// Ratio of the rate of all loads to that of gravity up to which gravity is the load.
+const GRAVITY: f64 = 2.0;
 /// Maximum number of regularised iterations. Their convergence is slow.
 const REGULARISED_ITERATIONS: u32 = 1000;
 

@@ -105,9 +105,11 @@ impl<E: EquationsOfMotion> TimeStepper<'_, E> {
 
     fn start_after(&mut self, h: f64, t: f64) -> Result<(), SolveError> {
         let state = &mut self.motion.state;
-        for i in 0..if h > 0.0 { state.q.len() } else { 0 } {
-            state.q[i] += h * (state.v[i] + 0.5 * h * state.a[i]);
-            state.v[i] += h * state.a[i];
+        if h > 0.0 {
+            for ((q, v), a) in state.q.iter_mut().zip(&mut state.v).zip(&state.a) {
+                *q += h * (*v + 0.5 * h * a);
+                *v += h * a;
+            }
         }
         state.t = t;
         self.include_near_terms()?;

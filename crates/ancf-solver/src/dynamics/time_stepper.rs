@@ -100,11 +100,14 @@ impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
         self.motion.exchanged
     }
 
-    /// Returns the energy that the integration itself made or lost since the start, and the energy of rounding errors: of energies, of
-    /// positions, and of the work of loads over the rounding error of a length.
-    pub fn energy_record(&self, length: f64) -> (EnergyRecord, f64) {
-        let work = POSITION_ROUNDING * length * self.eom.supplied_forces(&self.motion.state);
-        (self.motion.record, self.newton.rounding_energy() + self.motion.record.rounding() + work)
+    /// Returns the energy that the integration itself made or lost since the start, and the energy of rounding errors.
+    pub fn energy_record(&self) -> (EnergyRecord, f64) {
+        (self.motion.record, self.newton.rounding_energy() + self.motion.record.rounding())
+    }
+
+    /// Returns the work of loads over the rounding error of a length.
+    pub fn rounding_work(&self, length: f64) -> f64 {
+        POSITION_ROUNDING * length * self.eom.supplied_forces(&self.motion.state)
     }
 
     /// Attempts a step h that ends at the time `to`.

@@ -98,13 +98,15 @@ pub(super) fn supplied_forces<'a>(terms: impl Iterator<Item = &'a Arc<dyn Term>>
     let forces = |term: &Arc<dyn Term>| {
         let at = gathered.gather(s, term.as_ref());
         let n = at.q.len();
-        let mut power = |i: usize, velocity: f64| {
-            v[i] = velocity;
+        // Prescribed motions supply power at rest.
+        let at_rest = term.supplied_power(&Local { v: &v[..n], ..at });
+        let mut power = |i: usize| {
+            v[i] = VELOCITY;
             let power = term.supplied_power(&Local { v: &v[..n], ..at });
             v[i] = 0.0;
             power
         };
-        (0..n).map(|i| ((power(i, VELOCITY) - power(i, 0.0)) / VELOCITY).abs()).sum::<f64>()
+        (0..n).map(|i| ((power(i) - at_rest) / VELOCITY).abs()).sum::<f64>()
     };
     terms.map(forces).sum()
 }

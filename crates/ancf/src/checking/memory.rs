@@ -46,14 +46,14 @@ pub(crate) fn factor_storage(model: &IndexedModel<'_>, pattern: &Pattern) -> Fac
 pub(crate) fn memory_of_equations(
     model: &IndexedModel<'_>,
     pattern: &Pattern,
-    available: Option<f64>,
+    available: impl FnOnce() -> Option<f64>,
 ) -> Result<(), ModelErrors> {
     let parts = parts(model, Matrices::of(pattern, pattern.factor_storage()));
     not_fitting(&parts, available).map_or(Ok(()), |found| Err(ModelErrors(vec![found.error])))
 }
 
 /// Checks that the model fits into the available memory.
-pub(super) fn memory(model: &IndexedModel<'_>, available: Option<f64>) -> Option<Finding> {
+pub(super) fn memory(model: &IndexedModel<'_>, available: impl FnOnce() -> Option<f64>) -> Option<Finding> {
     not_fitting(&parts(model, Matrices::Least), available)
 }
 
@@ -62,9 +62,12 @@ fn total(parts: &[Part]) -> f64 {
 }
 
 /// Finding about parts that do not fit into the available memory.
-fn not_fitting(parts: &[Part], available: Option<f64>) -> Option<Finding> {
+fn not_fitting(parts: &[Part], available: impl FnOnce() -> Option<f64>) -> Option<Finding> {
     let total = total(parts);
-    let available = available.filter(|&available| total > SMALL && total > available)?;
+    if total <= SMALL {
+        return None;
+    }
+    let available = available().filter(|&available| total > available)?;
     let largest = parts.iter().max_by(|a, b| a.bytes.total_cmp(&b.bytes))?;
     let found = format!("{}, in all about {} of memory", largest.what, size(total));
     let expected = format!("at most {}, the available memory of this machine", size(available));
@@ -105,7 +108,10 @@ fn parts(model: &IndexedModel<'_>, matrices: Matrices) -> Vec<Part> {
         Matrices::Least => (LEAST_COORDINATES * elements, 0.0),
         Matrices::Of { unknowns, bytes } => (unknowns, bytes),
     };
-    let per_element = |[rest, least]: [f64; 2]| if of_matrix > 0.0 { rest } else { rest + least };
+    let per_element = |[rest, least]: [f64; 2]| match matrices {
+        Matrices::Least => rest + least,
+        Matrices::Of { .. } => rest,
+    };
     let vectors = if modes > 0 {
         modes_memory((modes as usize).min(unknowns as usize), unknowns as usize)
     } else {
@@ -230,14 +236,14 @@ mod tests {
             let data: toml::Value = toml::Value::Table(text(elements, points, count).parse().unwrap());
             let model: Model = data.try_into().unwrap();
             let model = IndexedModel::new(&model);
-            let found = memory(&model, Some(0.3e9)).expect("the model does not fit");
+            let found = memory(&model, || Some(0.3e9)).expect("the model does not fit");
             assert_eq!(found.error.path, path);
             assert!(found.error.found.starts_with(what), "{}", found.error.found);
             assert!(found.error.expected.contains("0.3 GB"), "{}", found.error.expected);
-            assert!(memory(&model, Some(20e9)).is_none() && memory(&model, None).is_none());
+            assert!(memory(&model, || Some(20e9)).is_none() && memory(&model, || None).is_none());
         }
         let data: toml::Value = toml::Value::Table(text(100, 5, 3).parse().unwrap());
         let small: Model = data.try_into().unwrap();
-        assert!(memory(&IndexedModel::new(&small), Some(1e6)).is_none());
+        assert!(memory(&IndexedModel::new(&small), || Some(1e6)).is_none());
     }
 }

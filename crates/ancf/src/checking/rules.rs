@@ -107,7 +107,7 @@ fn size(model: &IndexedModel<'_>) -> Vec<Finding> {
     });
     match error {
         Some(error) => vec![error],
-        None => super::memory::memory(model, super::memory::available()).into_iter().collect(),
+        None => super::memory::memory(model, super::memory::available).into_iter().collect(),
     }
 }
 

@@ -120,7 +120,7 @@ impl Model {
 /// Assembles a model and checks that its matrices fit into the available memory.
 fn assembled(model: &IndexedModel<'_>, time_mode: TimeMode) -> Result<Assembly, ModelErrors> {
     let assembly = model.assembled(time_mode)?;
-    memory_of_equations(model, assembly.system.pattern(), available())?;
+    memory_of_equations(model, assembly.system.pattern(), available)?;
     Ok(assembly)
 }
 

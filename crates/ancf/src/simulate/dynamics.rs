@@ -97,7 +97,10 @@ pub(crate) fn energy_warnings(
 ) -> Vec<String> {
     let mut warnings = Vec::new();
     let (guard, is_fixed) = (&own.energy_guard, own.step.fixed().is_some());
-    let (record, rounding) = dynamics.energy_record(scaled.length());
+    let (record, rounding) = dynamics.energy_record();
+    // The work of rounding errors is evaluated only for energies that exceed the other limits.
+    let exceeds =
+        |energy: f64, limit: f64| energy > limit && energy > limit + dynamics.rounding_work(scaled.length());
     let (lost, created, reference) = (record.lost(), record.created(), record.reference());
     if record.refused() > 0 && is_fixed {
         warnings.push(format!(
@@ -106,14 +109,14 @@ pub(crate) fn energy_warnings(
             record.refused()
         ));
     }
-    if created > guard.gain * reference + rounding {
+    if exceeds(created, guard.gain * reference + rounding) {
         warnings.push(format!(
             "the steps do not resolve the motion: the integration has made {:.2} % of the exchanged energy (column `balance`); use \
              smaller steps; `energy_guard = {{ gain = 1 }}` accepts the gain",
             100.0 * created / reference
         ));
     }
-    if lost > guard.loss * reference + rounding {
+    if exceeds(lost, guard.loss * reference + rounding) {
         warnings.push(format!(
             "the numerical damping of the scheme has removed {:.2} % of the exchanged energy (column `balance`): use smaller steps, \
              a scheme of second order, or a larger `spectral_radius`; `energy_guard = {{ loss = 1 }}` accepts the loss",

@@ -141,7 +141,6 @@ impl AdaptiveStepper {
         to: f64,
     ) -> Result<StepReport, SolveError> {
         let mut report = StepReport::default();
-        self.begin(dynamics);
         let from = dynamics.state().t;
         let (mut size, mut failed) = (self.sizes.next, false);
         loop {
@@ -177,14 +176,6 @@ impl AdaptiveStepper {
         }
     }
 
-    /// Discards the history at a start or restart.
-    fn begin<E: EquationsOfMotion>(&mut self, dynamics: &TimeStepper<'_, E>) {
-        if dynamics.motion.at_start {
-            self.sizes.last = None;
-            self.estimate.restart();
-        }
-    }
-
     /// Attempts a step and returns x = target error / estimated error. The step is accepted for x ≥ [`TARGET`].
     fn attempt<E: EquationsOfMotion>(
         &mut self,
@@ -196,7 +187,10 @@ impl AdaptiveStepper {
         // The error estimate needs the current iteration matrix as a filter.
         dynamics.newton.tangent.renew();
         dynamics.adapt_velocities(h)?;
-        self.begin(dynamics);
+        if dynamics.motion.at_start {
+            self.sizes.last = None;
+            self.estimate.restart();
+        }
         let done = dynamics.attempt(h, end)?;
         let error = self.estimate.error(dynamics, &done, h);
         let mut error = error.inspect_err(|_| dynamics.revert())?;

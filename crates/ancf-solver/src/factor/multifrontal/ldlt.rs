@@ -208,6 +208,29 @@ mod tests {
     use crate::sparse::IndexLists;
     use crate::sparse::Pattern;
 
+    /// Values of a matrix with the entries of dense blocks.
+    fn matrix(pattern: &Pattern, blocks: &IndexLists, entry: impl Fn(u32, u32) -> f64) -> Vec<f64> {
+        let mut k = vec![0.0; pattern.supernodes().entries()];
+        let pairs =
+            blocks.iter().flat_map(|block| block.iter().flat_map(|&i| block.iter().map(move |&j| (i, j))));
+        pairs.for_each(|(i, j)| k[pattern.slot(i as usize, j as usize)] = entry(i, j));
+        k
+    }
+
+    /// Factorises a matrix and solves K x = b with a number of threads. Returns x and the residual, which is a rounding error.
+    fn solved(ldlt: &mut Ldlt, supernodes: &Supernodes, k: &[f64], threads: usize) -> [Vec<f64>; 2] {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        let b: Vec<f64> = (0..ldlt.inverse.len()).map(|i| (i as f64).sin()).collect();
+        let (mut x, mut r) = (b.clone(), b);
+        pool.install(|| {
+            assert!(ldlt.factorise(supernodes, k).is_ok());
+            ldlt.solve(supernodes, k, &mut x);
+            ldlt.subtract_product(supernodes, k, &x, &mut r);
+        });
+        assert!(r.iter().all(|r| r.abs() < 1e-13));
+        [x, r]
+    }
+
     /// Subtrees change the result by rounding only. The number of threads and the stored part of the factor do not change the
     /// result.
     #[test]
@@ -218,24 +241,13 @@ mod tests {
         let blocks: IndexLists = links.map(|(a, b)| node(a).chain(node(b)).collect::<Vec<_>>()).collect();
         let pattern = Pattern::new(1800, &[], &blocks, &[]);
         let supernodes = pattern.supernodes();
-        let mut k = vec![0.0; supernodes.entries()];
-        for (i, j) in
-            blocks.iter().flat_map(|block| block.iter().flat_map(|&i| block.iter().map(move |&j| (i, j))))
-        {
-            let other = (f64::from(i) * 0.7 + f64::from(j)).sin() * (f64::from(j) * 0.7 + f64::from(i)).cos();
-            k[pattern.slot(i as usize, j as usize)] = if i == j { 12.0 } else { other };
-        }
+        let other = |i: u32, j: u32| {
+            (f64::from(i) * 0.7 + f64::from(j)).sin() * (f64::from(j) * 0.7 + f64::from(i)).cos()
+        };
+        let k = matrix(&pattern, &blocks, |i, j| if i == j { 12.0 } else { other(i, j) });
         let run = |least: usize, threads: usize, storage: FactorStorage| {
-            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
             let mut ldlt = Ldlt::with(supernodes, Subtrees::new(supernodes, least), storage);
-            let b: Vec<f64> = (0..1800).map(|i| f64::from(i).sin()).collect();
-            let (mut x, mut r) = (b.clone(), b);
-            pool.install(|| {
-                assert!(ldlt.factorise(supernodes, &k).is_ok());
-                ldlt.solve(supernodes, &k, &mut x);
-                ldlt.subtract_product(supernodes, &k, &x, &mut r);
-            });
-            assert!(r.iter().all(|r| r.abs() < 1e-13));
+            let [x, r] = solved(&mut ldlt, supernodes, &k, threads);
             (ldlt.spaces.len(), ldlt.l.stored, [ldlt.inverse, x, r])
         };
         let all = FactorStorage::All;
@@ -266,23 +278,10 @@ mod tests {
         let pattern = Pattern::new(1100, &[], &blocks, &[]);
         let supernodes = pattern.supernodes();
         assert!(supernodes.list.iter().any(|at| at.columns >= 300 && at.below >= 300));
-        let mut k = vec![0.0; supernodes.entries()];
-        for (i, j) in
-            blocks.iter().flat_map(|block| block.iter().flat_map(|&i| block.iter().map(move |&j| (i, j))))
-        {
-            k[pattern.slot(i as usize, j as usize)] = if i == j { 500.0 } else { f64::from(i * j).sin() };
-        }
+        let k = matrix(&pattern, &blocks, |i, j| if i == j { 500.0 } else { f64::from(i * j).sin() });
         let run = |threads: usize| {
-            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
             let mut ldlt = Ldlt::new(supernodes, FactorStorage::All);
-            let b: Vec<f64> = (0..1100).map(|i| f64::from(i).sin()).collect();
-            let (mut x, mut r) = (b.clone(), b);
-            pool.install(|| {
-                assert!(ldlt.factorise(supernodes, &k).is_ok());
-                ldlt.solve(supernodes, &k, &mut x);
-                ldlt.subtract_product(supernodes, &k, &x, &mut r);
-            });
-            assert!(r.iter().all(|r| r.abs() < 1e-13));
+            let [x, _] = solved(&mut ldlt, supernodes, &k, threads);
             (ldlt.l.stored, x)
         };
         let serial = run(1);

@@ -1,15 +1,11 @@
 use super::damping_work::PowerIntegral;
 use super::integration_state::DividedStep;
-use super::start::{Projected, accelerations, project};
+use super::start::{Factors, Projected, accelerations, project};
+use super::step_change::{LARGEST_RATIO, adapt};
 use super::step_report::StepReport;
 use super::time_stepper::TimeStepper;
 use crate::equations::{EquationsOfMotion, State};
 use crate::newton::{Newton, SolveError};
-
-/// Relative difference of step sizes up to which they count as equal.
-const SAME: f64 = 0.01;
-/// Smallest ratio of step sizes up to which velocities are scaled.
-const NEAR: f64 = 0.25;
 
 impl<E: EquationsOfMotion> TimeStepper<'_, E> {
     /// Advances to the time `to`, in one step or in 2, 4, 8, ... equal substeps if Newton's method fails.
@@ -39,7 +35,7 @@ impl<E: EquationsOfMotion> TimeStepper<'_, E> {
             DividedStep { to, h, left: 1_u64 << halvings, halvings, report: StepReport::default() }
         });
         while left > 0 {
-            let adapted = self.adapt_velocities(h);
+            let adapted = self.adapt_to(h);
             match adapted.and_then(|()| self.attempt(h, to - (left - 1) as f64 * h)) {
                 Ok(done) => {
                     self.accept(&done, &mut report);
@@ -48,6 +44,7 @@ impl<E: EquationsOfMotion> TimeStepper<'_, E> {
                     accepted(&self.motion.state);
                 }
                 Err(error) => {
+                    self.restore_memory();
                     report.iterations += error.iterations;
                     if halvings == self.max_halvings || error.is_final() {
                         return Err(error);
@@ -77,7 +74,7 @@ impl<E: EquationsOfMotion> TimeStepper<'_, E> {
         self.restart_after(0.0, t)
     }
 
-    /// Moves the state to a time at a distance that is too small for a step, and restarts there.
+    /// Moves the state to a time at a distance that is too small for a step, and computes consistent accelerations and multipliers.
     ///
     /// A step h divides rounding errors of the positions by h². The positions and velocities of a Taylor series have no such error;
     /// they lack terms of the order h³ and h².
@@ -85,14 +82,70 @@ impl<E: EquationsOfMotion> TimeStepper<'_, E> {
     /// # Errors
     /// As [`restart`](Self::restart).
     pub fn extrapolate(&mut self, to: f64) -> Result<(), SolveError> {
-        self.restart_after(to - self.motion.state.t, to)
+        let h = to - self.motion.state.t;
+        if self.motion.h == 0.0 { self.restart_after(h, to) } else { self.continue_after(h, to) }
+    }
+
+    /// Computes consistent accelerations and multipliers after a step in which rounding errors of the positions are large.
+    ///
+    /// # Errors
+    /// As [`restart`](Self::restart).
+    pub fn renew_accelerations(&mut self) -> Result<(), SolveError> {
+        let t = self.motion.state.t;
+        if self.motion.reference.is_none() { self.restart(t) } else { self.continue_after(0.0, t) }
     }
 
     /// Restarts at a time t after a Taylor series over the distance h.
     fn restart_after(&mut self, h: f64, t: f64) -> Result<(), SolveError> {
+        self.revertible(|own| {
+            let before = own.motion.energy;
+            own.move_by_series(h, t)?;
+            let Newton { tangent, z, .. } = &mut own.newton;
+            let (matrix, factor) = tangent.lend();
+            let factors =
+                project(&*own.eom, matrix, factor, &mut own.motion.state, Projected::Velocities, z)?;
+            own.motion.energy = own.eom.energy(&own.motion.state);
+            if h > 0.0 {
+                own.motion.exchanged.work += own.motion.energy.total() - before.total();
+            } else if own.motion.h > 0.0 || own.motion.at_start {
+                // Work of the impulses of a jump, with the mean velocity.
+                own.motion.exchanged.work += own.motion.energy.kinetic - before.kinetic;
+            }
+            accelerations(&*own.eom, matrix, factor, &mut own.motion.state, z, factors)?;
+            own.motion.restart_scheme();
+            own.renewed();
+            Ok(())
+        })
+    }
+
+    /// Computes consistent accelerations at a time t after a Taylor series over the distance h. The scheme continues.
+    fn continue_after(&mut self, h: f64, t: f64) -> Result<(), SolveError> {
+        self.revertible(|own| {
+            let before = own.motion.energy;
+            let pairs = own.attempted[0].iter_mut().zip(&own.motion.auxiliary).zip(&own.motion.state.a);
+            pairs.for_each(|((lead, auxiliary), a)| *lead = auxiliary - a);
+            own.move_by_series(h, t)?;
+            own.motion.energy = own.eom.energy(&own.motion.state);
+            own.motion.exchanged.work += own.motion.energy.total() - before.total();
+            let Newton { tangent, z, .. } = &mut own.newton;
+            let (matrix, factor) = tangent.lend();
+            let state = &mut own.motion.state;
+            accelerations(&*own.eom, matrix, factor, state, z, Factors::OfOtherState)?;
+            let pairs = own.motion.auxiliary.iter_mut().zip(&own.attempted[0]).zip(&own.motion.state.a);
+            pairs.for_each(|((auxiliary, lead), a)| *auxiliary = a + lead);
+            own.renewed();
+            Ok(())
+        })
+    }
+
+    /// Performs a change that reverts to the present state if it fails.
+    fn revertible(
+        &mut self,
+        change: impl FnOnce(&mut Self) -> Result<(), SolveError>,
+    ) -> Result<(), SolveError> {
         self.before.copy_from(&self.motion.state);
         let (energy, exchanged) = (self.motion.energy, self.motion.exchanged);
-        let done = self.start_after(h, t);
+        let done = change(self);
         match done {
             Ok(()) => self.save_restart_point(),
             Err(_) => {
@@ -103,7 +156,8 @@ impl<E: EquationsOfMotion> TimeStepper<'_, E> {
         done
     }
 
-    fn start_after(&mut self, h: f64, t: f64) -> Result<(), SolveError> {
+    /// Moves positions and velocities by a Taylor series over the distance h to the time t.
+    fn move_by_series(&mut self, h: f64, t: f64) -> Result<(), SolveError> {
         let state = &mut self.motion.state;
         if h > 0.0 {
             for ((q, v), a) in state.q.iter_mut().zip(&mut state.v).zip(&state.a) {
@@ -112,27 +166,14 @@ impl<E: EquationsOfMotion> TimeStepper<'_, E> {
             }
         }
         state.t = t;
-        self.include_near_terms()?;
-        let Newton { tangent, z, .. } = &mut self.newton;
-        let (matrix, factor) = tangent.lend();
-        let before = self.motion.energy;
-        let state = &mut self.motion.state;
-        let factors = project(&*self.eom, matrix, factor, state, Projected::Velocities, z)?;
-        self.motion.energy = self.eom.energy(&self.motion.state);
-        if h > 0.0 {
-            self.motion.exchanged.work += self.motion.energy.total() - before.total();
-        } else if self.motion.h > 0.0 || self.motion.at_start {
-            // Work of the impulses of a jump, with the mean velocity.
-            self.motion.exchanged.work += self.motion.energy.kinetic - before.kinetic;
-        }
-        accelerations(&*self.eom, matrix, factor, &mut self.motion.state, z, factors)?;
-        self.motion.auxiliary.copy_from_slice(&self.motion.state.a);
+        self.include_near_terms()
+    }
+
+    /// Updates what depends on accelerations that are consistent now.
+    fn renewed(&mut self) {
         self.set_exchange();
-        (self.motion.h, self.motion.h_of_velocities) = (0.0, 0.0);
-        self.motion.at_start = true;
         self.motion.predictor.restart();
         self.motion.restart_errors(true);
-        Ok(())
     }
 
     /// Projects velocities onto Φ_q v + Φ_t = 0. Accelerations and multipliers remain unchanged.
@@ -152,32 +193,26 @@ impl<E: EquationsOfMotion> TimeStepper<'_, E> {
         Ok(())
     }
 
-    /// Adapts the velocities along constraints to a step h of another size than the last one, or restarts.
-    ///
-    /// Positions satisfy the constraints after each step, velocities only up to an error of the order h². In steps of one size this
-    /// error has a smooth limit, and accelerations are of second order. After a step H it would change the accelerations of a
-    /// step h by (H² − h²)/(β h), and an alternation of both sizes would be unstable. The error is therefore scaled by
-    /// (h/H)². Over large ratios, errors of other kinds would be scaled as well.
-    ///
-    /// The change of the kinetic energy is part of the energy that the next step makes or loses.
-    pub(crate) fn adapt_velocities(&mut self, h: f64) -> Result<(), SolveError> {
-        let last = self.motion.h_of_velocities;
-        let is_constrained = !self.motion.state.lambda.is_empty() && self.scheme.averaging.is_none();
-        if last == 0.0 || !is_constrained || (h / last - 1.0).abs() <= SAME {
+    /// Adapts the memory of the scheme to a step h of another size than the last one, until the step is accepted or
+    /// [`restore_memory`](Self::restore_memory) is called.
+    pub(crate) fn adapt_to(&mut self, h: f64) -> Result<(), SolveError> {
+        let memory = self.motion.memory();
+        if !memory.changes_with(h, self.scheme) {
             return Ok(());
         }
-        let ratio = h / last;
-        if !(NEAR..=1.0 / NEAR).contains(&ratio) {
+        if self.scheme.is_conservative() && h > LARGEST_RATIO * *memory.h {
+            // Errors of accelerations along constraints after short steps would remain.
             return self.restart(self.motion.state.t);
         }
-        let Newton { tangent, z, .. } = &mut self.newton;
-        let (matrix, factor) = tangent.lend();
-        z.fill(0.0);
-        project(&*self.eom, matrix, factor, &mut self.motion.state, Projected::Velocities, z)?;
-        let velocities = self.motion.state.v.iter_mut();
-        velocities.zip(z.iter()).for_each(|(v, change)| *v -= ratio * ratio * change);
-        self.motion.h_of_velocities = h;
-        Ok(())
+        self.last_memory = Some(memory.save());
+        adapt(&*self.eom, &mut self.newton, self.scheme, memory, h)
+    }
+
+    /// Restores the memory of the scheme if it was adapted to a step that was not accepted.
+    pub(crate) fn restore_memory(&mut self) {
+        if let Some(last) = self.last_memory.take() {
+            self.motion.memory().restore(*last);
+        }
     }
 
     /// Sets powers and damping forces of a start.

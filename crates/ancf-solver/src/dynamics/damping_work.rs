@@ -1,6 +1,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::scheme::SchemeCoefficients;
+use super::step_change::Auxiliary;
 use crate::equations::{Power, State};
 use crate::vectors::{copy, for_each_chunk, sum_of_chunks};
 
@@ -18,7 +19,7 @@ use crate::vectors::{copy, for_each_chunk, sum_of_chunks};
 pub(crate) struct DampingForces {
     /// F, over the coordinates.
     force: Vec<f64>,
-    /// Auxiliary forces φ, for the last step size.
+    /// Auxiliary forces φ.
     auxiliary: Vec<f64>,
 }
 
@@ -42,6 +43,11 @@ impl DampingForces {
         self.auxiliary.fill(0.0);
     }
 
+    /// Returns the auxiliary and the actual forces.
+    pub(crate) fn auxiliary(&mut self) -> Auxiliary<'_> {
+        Auxiliary { auxiliary: &mut self.auxiliary, actual: &self.force }
+    }
+
     /// Scales φ − F with the step size, as the accelerations.
     fn rescaled(&self, i: usize, ratio: f64) -> f64 {
         self.force[i] + ratio * (self.auxiliary[i] - self.force[i])
@@ -49,7 +55,7 @@ impl DampingForces {
 
     /// Returns the work ΔW of a step between two states, and sets the auxiliary forces at its end.
     ///
-    /// `start` has the auxiliary forces of a first step. For other steps `ratio` is the ratio to the last step size.
+    /// `start` has the auxiliary forces of a first step. For other steps `ratio` is the ratio to the step size of φ.
     pub(crate) fn work(
         &self,
         scheme: SchemeCoefficients,

@@ -8,6 +8,7 @@ use super::energy_guard::EnergyRecord;
 use super::errors::MotionErrors;
 use super::predictor::Predictor;
 use super::scheme::SchemeCoefficients;
+use super::step_change::{LARGEST_RATIO, StepMemory, StepReference};
 use super::step_report::StepReport;
 use crate::equations::{ActiveGroup, Energy, EquationsOfMotion, Power, State};
 use crate::newton::NewtonCheckpoint;
@@ -17,11 +18,14 @@ use crate::vectors::for_each_chunk;
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub(crate) struct IntegrationState {
     pub(crate) state: State,
-    /// Auxiliary acceleration aₙ of the scheme, for the last step size `h`.
+    /// Auxiliary acceleration aₙ of the scheme.
     pub(crate) auxiliary: Vec<f64>,
+    /// Size of the last step; 0 at a start.
     pub(crate) h: f64,
-    /// Step size of the velocities along constraints, which are errors of the order h².
-    pub(crate) h_of_velocities: f64,
+    /// Step size to which the auxiliary acceleration and the velocities along constraints belong.
+    pub(crate) adapted_h: f64,
+    /// Quantities of the last longer step.
+    pub(crate) reference: Option<Box<StepReference>>,
     /// True if the accelerations are consistent and there is no previous step.
     pub(crate) at_start: bool,
     /// Number of halvings at the start of the next step: one less than in the last step.
@@ -75,7 +79,8 @@ impl IntegrationState {
         Self {
             auxiliary: start.a.clone(),
             h: 0.0,
-            h_of_velocities: 0.0,
+            adapted_h: 0.0,
+            reference: None,
             at_start: false,
             halvings: 0,
             divided: None,
@@ -104,12 +109,35 @@ impl IntegrationState {
         let h = self.state.t - before.t;
         let power = eom.exchange(&self.state, &mut damping.force);
         let is_first = self.at_start && !scheme.is_newmark();
-        let ratio = if self.h > 0.0 { h / self.h } else { 1.0 };
+        let ratio = |last: f64| if last > 0.0 { h / last } else { 1.0 };
         let mut integral = self.power;
-        let mut exchange = integral.advance(scheme, (!is_first).then_some(ratio), h, power);
-        let start = is_first.then_some(start);
+        let growth = (!is_first).then_some(ratio(self.h).min(LARGEST_RATIO));
+        let mut exchange = integral.advance(scheme, growth, h, power);
+        let (start, ratio) = (is_first.then_some(start), ratio(self.adapted_h));
         exchange.dissipation += self.damping.work(scheme, (before, &self.state), (start, ratio), damping);
         (integral, exchange)
+    }
+
+    /// Returns the quantities that depend on the size of the last step.
+    pub(crate) fn memory(&mut self) -> StepMemory<'_> {
+        let Self { state, auxiliary, damping, adapted_h, reference, .. } = self;
+        StepMemory { state, auxiliary, damping: damping.auxiliary(), h: adapted_h, reference }
+    }
+
+    /// Includes the accepted step in the reference, or discards it.
+    pub(crate) fn record_reference(&mut self) {
+        let Self { reference, auxiliary, damping, h, .. } = self;
+        let damping = damping.auxiliary();
+        if reference.as_mut().is_some_and(|reference| !reference.record(*h, auxiliary, damping.auxiliary)) {
+            *reference = None;
+        }
+    }
+
+    /// Restarts the scheme from consistent accelerations.
+    pub(crate) fn restart_scheme(&mut self) {
+        self.auxiliary.copy_from_slice(&self.state.a);
+        (self.h, self.adapted_h, self.reference) = (0.0, 0.0, None);
+        self.at_start = true;
     }
 
     /// Restarts the quadrature of the errors with accelerations that satisfy the equations of motion or do not.
@@ -127,7 +155,7 @@ impl IntegrationState {
 
     /// Scales a − v̇ of the auxiliary accelerations for a step h, to which it is proportional (Brüls & Arnold 2008).
     pub(crate) fn scale_auxiliary(&self, h: f64, scaled: &mut [f64]) {
-        let ratio = if self.h == 0.0 { 1.0 } else { h / self.h };
+        let ratio = if self.adapted_h == 0.0 { 1.0 } else { h / self.adapted_h };
         for_each_chunk(scaled, |range, scaled| {
             let pairs = self.auxiliary[range.clone()].iter().zip(&self.state.a[range]);
             scaled
@@ -147,8 +175,9 @@ impl IntegrationState {
             && self.auxiliary.iter().chain(&energies).chain(&powers).all(|x| x.is_finite())
             && h.is_finite()
             && *h >= 0.0
-            && self.h_of_velocities.is_finite()
-            && self.h_of_velocities >= 0.0
+            && self.adapted_h.is_finite()
+            && self.adapted_h >= 0.0
+            && self.reference.as_ref().is_none_or(|reference| reference.is_valid(coordinates))
             && self.halvings <= max_halvings
             && self.divided.is_none_or(|divided| divided.is_valid(self.state.t, max_halvings))
             && power.is_valid()

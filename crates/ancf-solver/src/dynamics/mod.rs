@@ -12,6 +12,7 @@ mod predictor;
 mod resume;
 mod scheme;
 mod start;
+mod step_change;
 mod step_report;
 mod step_start;
 mod time_stepper;

@@ -4,6 +4,7 @@ use super::energy_momentum::StepMiddle;
 use super::integration_state::IntegrationState;
 use super::scheme::SchemeCoefficients;
 use super::start::{StartValues, start_values};
+use super::step_change::SavedMemory;
 use super::step_report::StepReport;
 use crate::equations::{ActiveGroup, Energy, EquationsOfMotion, Inadmissibility, Level, Power, State};
 use crate::newton::{ActiveSet, Newton, NewtonReport, SolveError, SolveFailure};
@@ -25,6 +26,8 @@ pub struct TimeStepper<'a, E: EquationsOfMotion + ?Sized> {
     pub(crate) middle: StepMiddle,
     /// Auxiliary accelerations aₙ and aₙ₊₁ of the current attempt.
     pub(crate) attempted: [Vec<f64>; 2],
+    /// Memory of the scheme before it was adapted to the size of the current attempt.
+    pub(crate) last_memory: Option<Box<SavedMemory>>,
     phi: Vec<f64>,
     /// Auxiliary damping forces at the start of the attempt after a restart, and damping forces at its end.
     pub(crate) start_damping: Vec<f64>,
@@ -71,6 +74,7 @@ impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
             start_damping: vec![0.0; start.q.len() + start.lambda.len()],
             damping: DampingAttempt::new(start.q.len(), start.lambda.len()),
             energies: EnergyAttempt::default(),
+            last_memory: None,
             guard: EnergyGuard::default(),
             motion: IntegrationState::new(start, &*eom),
             eom,
@@ -246,7 +250,7 @@ impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
         self.motion.record.refused = record.refused.saturating_add(refused);
         self.motion.damping.accept(&self.damping);
         self.motion.h = self.motion.state.t - self.before.t;
-        self.motion.h_of_velocities = self.motion.h;
+        self.motion.adapted_h = self.motion.h;
         let IntegrationState { predictor, state, h, .. } = &mut self.motion;
         predictor.record([&self.before, state], (*h, self.scheme.weights(*h)), &mut self.newton);
         self.motion.at_start = false;
@@ -258,6 +262,8 @@ impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
             self.newton.tangent.renew();
         }
         std::mem::swap(&mut self.motion.auxiliary, &mut self.attempted[1]);
+        self.motion.record_reference();
+        self.last_memory = None;
         self.newton.record_energy(self.motion.energy.largest());
         (report.iterations, report.substeps) = (report.iterations + done.iterations, report.substeps + 1);
         (report.residual, report.increment) = (done.residual, done.increment);

@@ -20,3 +20,4 @@ pub(crate) use line_search::{FullUpdate, LineSearch, LinearSolution, StateUpdate
 pub use newton_method::Newton;
 pub(crate) use newton_method::NewtonCheckpoint;
 pub use stopping::{NewtonReport, StopRule};
+pub(crate) use tangent::NewtonTangent;

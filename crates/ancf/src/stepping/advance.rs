@@ -120,7 +120,9 @@ impl Stepper {
         }
         let report = self.integrate_step(to, largest).map_err(|error| self.failed(error))?;
         if left < tiny {
-            self.restart(self.dynamics.state().t)?;
+            let done = self.dynamics.renew_accelerations();
+            done.map_err(|error| self.failed(error))?;
+            self.restarted();
         }
         Ok(report)
     }

@@ -148,7 +148,9 @@ impl AdaptiveStepper {
             let parts = ((to - from) / size.min(self.control.largest) * (1.0 - ROUNDING)).ceil().max(1.0);
             let h = (to - from) / parts;
             let end = if parts == 1.0 { to } else { from + h };
-            let failure = match self.attempt(dynamics, h, end, &mut report) {
+            let attempted = self.attempt(dynamics, h, end, &mut report);
+            dynamics.restore_memory();
+            let failure = match attempted {
                 Ok(x) if x >= TARGET => {
                     let most = most_growth(dynamics.scheme.constrained_decay(), self.moved);
                     self.plan_next(x, h, (size, failed), most);
@@ -186,7 +188,7 @@ impl AdaptiveStepper {
     ) -> Result<f64, SolveError> {
         // The error estimate needs the current iteration matrix as a filter.
         dynamics.newton.tangent.renew();
-        dynamics.adapt_velocities(h)?;
+        dynamics.adapt_to(h)?;
         if dynamics.motion.at_start {
             self.sizes.last = None;
             self.estimate.restart();

@@ -86,6 +86,11 @@ impl SchemeCoefficients {
         self.alpha_m == 0.0 && self.alpha_f == 0.0
     }
 
+    /// Returns true if the scheme conserves the energy of linear vibrations, up to an oscillation.
+    pub fn is_conservative(&self) -> bool {
+        self.is_second_order() && self.gamma == 0.5
+    }
+
     /// Returns the factor ρ by which a step multiplies velocities along constraints, which are errors.
     ///
     /// With Δq = 0, (v, h a) has the matrix [1 − γ/β, 1 − γ − (γ/β)(½ − β); −1/β, −(½ − β)/β]. ρ is its spectral radius.

@@ -5,5 +5,5 @@ mod initial_conditions;
 mod rates;
 
 pub(crate) use first_step::{StartValues, start_values};
-pub(crate) use initial_conditions::{Projected, accelerations, project, solve};
+pub(crate) use initial_conditions::{Factors, Projected, accelerations, project, solve, solve_again};
 pub use initial_conditions::{consistent_accelerations, consistent_positions, consistent_velocities};

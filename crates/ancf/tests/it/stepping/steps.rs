@@ -388,3 +388,41 @@ fn steps_of_varying_sizes_excite_no_vibrations() {
         }
     }
 }
+
+/// Steps of varying sizes with redundant joints: a parallelogram of three bars on four parallel hinges.
+#[test]
+fn steps_of_varying_sizes_with_redundant_joints() {
+    let model = parse(
+        r#"gravity = [0, 0, -9.81]
+        bodies = [
+            { kind = "rigid", name = "a", center = [0.4, 0, -0.3], mass = 1, inertia = [0.01, 0.1, 0.1] },
+            { kind = "rigid", name = "b", center = [2.4, 0, -0.3], mass = 1, inertia = [0.01, 0.1, 0.1] },
+            { kind = "rigid", name = "c", center = [1.8, 0, -0.6], mass = 2, inertia = [0.01, 0.5, 0.5] }]
+        joints = [
+            { kind = "revolute", name = "1", a = { body = "a", at = [0, 0, 0] }, axis = [0, 1, 0] },
+            { kind = "revolute", name = "2", a = { body = "b", at = [2, 0, 0] }, axis = [0, 1, 0] },
+            { kind = "revolute", name = "3", a = { body = "c", at = [0.8, 0, -0.6] }, b = { body = "a", at = [0.8, 0, -0.6] }, axis = [0, 1, 0] },
+            { kind = "revolute", name = "4", a = { body = "c", at = [2.8, 0, -0.6] }, b = { body = "b", at = [2.8, 0, -0.6] }, axis = [0, 1, 0] }]
+        probes = [{ name = "c", on = { body = "c", at = "center" } }]
+        analysis = { kind = "dynamics", duration = 1, step = 2.5e-3, scheme = { spectral_radius = 0.8 } }"#,
+    );
+    let moved = |pattern: &[f64]| {
+        let mut stepper = Stepper::new(&model).unwrap();
+        for k in 0.. {
+            let left = 1.0 - stepper.time();
+            if left <= 1e-9 {
+                break;
+            }
+            stepper.step((2.5e-3 * pattern[k % pattern.len()]).min(left)).unwrap();
+        }
+        ["c.x", "c.z", "1.fz"].map(|column| stepper.read(column).unwrap())
+    };
+    let equal = moved(&[1.0]);
+    for pattern in
+        [&[0.5, 1.5][..], &[0.1, 1.9], &[1.0, 0.01, 1.99], &[1.0, 1e-4, 2.0], &[0.03, 0.1, 0.3, 1.0]]
+    {
+        for (found, equal) in moved(pattern).into_iter().zip(equal) {
+            assert!((found - equal).abs() < 5e-3 * (1.0 + equal.abs()), "{pattern:?}: {found} {equal}");
+        }
+    }
+}

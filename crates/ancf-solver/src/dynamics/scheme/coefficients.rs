@@ -86,8 +86,8 @@ impl SchemeCoefficients {
         self.alpha_m == 0.0 && self.alpha_f == 0.0
     }
 
-    /// Returns true if the scheme conserves the energy of linear vibrations, up to an oscillation.
-    pub fn is_conservative(&self) -> bool {
+    /// Returns true if the scheme conserves the energy of linear vibrations, up to oscillations of it.
+    pub const fn is_conservative(&self) -> bool {
         self.is_second_order() && self.gamma == 0.5
     }
 

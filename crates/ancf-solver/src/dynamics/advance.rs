@@ -1,11 +1,14 @@
 use super::damping_work::PowerIntegral;
 use super::integration_state::DividedStep;
 use super::start::{Factors, Projected, accelerations, project};
-use super::step_change::{LARGEST_RATIO, adapt};
+use super::step_change::adapt;
 use super::step_report::StepReport;
 use super::time_stepper::TimeStepper;
 use crate::equations::{EquationsOfMotion, State};
 use crate::newton::{Newton, SolveError};
+
+/// Growth of an undamped step above which the scheme restarts.
+const LARGEST_GROWTH: f64 = 4.0;
 
 impl<E: EquationsOfMotion> TimeStepper<'_, E> {
     /// Advances to the time `to`, in one step or in 2, 4, 8, ... equal substeps if Newton's method fails.
@@ -83,7 +86,8 @@ impl<E: EquationsOfMotion> TimeStepper<'_, E> {
     /// As [`restart`](Self::restart).
     pub fn extrapolate(&mut self, to: f64) -> Result<(), SolveError> {
         let h = to - self.motion.state.t;
-        if self.motion.h == 0.0 { self.restart_after(h, to) } else { self.continue_after(h, to) }
+        let has_memory = self.motion.h > 0.0 && self.scheme.averaging.is_none();
+        if has_memory { self.continue_after(h, to) } else { self.restart_after(h, to) }
     }
 
     /// Computes consistent accelerations and multipliers after a step in which rounding errors of the positions are large.
@@ -113,7 +117,9 @@ impl<E: EquationsOfMotion> TimeStepper<'_, E> {
             }
             accelerations(&*own.eom, matrix, factor, &mut own.motion.state, z, factors)?;
             own.motion.restart_scheme();
-            own.renewed();
+            own.set_exchange();
+            own.motion.predictor.restart();
+            own.motion.restart_errors(true);
             Ok(())
         })
     }
@@ -133,7 +139,11 @@ impl<E: EquationsOfMotion> TimeStepper<'_, E> {
             accelerations(&*own.eom, matrix, factor, state, z, Factors::OfOtherState)?;
             let pairs = own.motion.auxiliary.iter_mut().zip(&own.attempted[0]).zip(&own.motion.state.a);
             pairs.for_each(|((auxiliary, lead), a)| *auxiliary = a + lead);
-            own.renewed();
+            let power = own.eom.exchange(&own.motion.state, &mut own.damping.force);
+            own.motion.power.replace(power);
+            own.motion.damping.replace(&own.damping.force);
+            own.motion.predictor.restart();
+            own.motion.restart_errors(true);
             Ok(())
         })
     }
@@ -169,13 +179,6 @@ impl<E: EquationsOfMotion> TimeStepper<'_, E> {
         self.include_near_terms()
     }
 
-    /// Updates what depends on accelerations that are consistent now.
-    fn renewed(&mut self) {
-        self.set_exchange();
-        self.motion.predictor.restart();
-        self.motion.restart_errors(true);
-    }
-
     /// Projects velocities onto Φ_q v + Φ_t = 0. Accelerations and multipliers remain unchanged.
     ///
     /// # Errors
@@ -196,11 +199,12 @@ impl<E: EquationsOfMotion> TimeStepper<'_, E> {
     /// Adapts the memory of the scheme to a step h of another size than the last one, until the step is accepted or
     /// [`restore_memory`](Self::restore_memory) is called.
     pub(crate) fn adapt_to(&mut self, h: f64) -> Result<(), SolveError> {
-        let memory = self.motion.memory();
-        if !memory.changes_with(h, self.scheme) {
+        if !self.motion.memory().changes_with(h, self.scheme) {
             return Ok(());
         }
-        if self.scheme.is_conservative() && h > LARGEST_RATIO * *memory.h {
+        self.include_near_terms()?;
+        let memory = self.motion.memory();
+        if self.scheme.is_conservative() && h > LARGEST_GROWTH * *memory.h {
             // Errors of accelerations along constraints after short steps would remain.
             return self.restart(self.motion.state.t);
         }

@@ -37,6 +37,14 @@ impl DampingForces {
         self.auxiliary.copy_from_slice(force);
     }
 
+    /// Replaces F by forces of a state nearby. φ − F remains.
+    pub(crate) fn replace(&mut self, force: &[f64]) {
+        for ((own, auxiliary), force) in self.force.iter_mut().zip(&mut self.auxiliary).zip(force) {
+            *auxiliary += force - *own;
+            *own = *force;
+        }
+    }
+
     /// Removes the forces of a start with accelerations that do not contain them.
     pub(crate) fn clear(&mut self) {
         self.force.fill(0.0);
@@ -122,6 +130,13 @@ impl PowerIntegral {
     /// Sets the power at a start.
     pub(crate) const fn new(power: Power) -> Self {
         Self { power, auxiliary: power }
+    }
+
+    /// Replaces the power by that of a state nearby. The difference of the auxiliary power remains.
+    pub(crate) fn replace(&mut self, power: Power) {
+        self.auxiliary.work += power.work - self.power.work;
+        self.auxiliary.dissipation += power.dissipation - self.power.dissipation;
+        self.power = power;
     }
 
     /// Returns work and dissipation of a step h and advances to the power at its end. `ratio` is the ratio to the last

@@ -41,24 +41,27 @@ pub(crate) fn adapt<E: EquationsOfMotion>(
     let (is_filtered, is_constrained) = (!scheme.is_conservative(), !memory.state.lambda.is_empty());
     let StepMemory { state: s, auxiliary, mut damping, h: last, reference } = memory;
     let mut acceleration = Auxiliary { auxiliary, actual: &s.a };
-    let is_first = growth < 1.0 && reference.is_none();
+    let is_first = growth < 1.0 && reference.as_ref().is_none_or(|longer| longer.is_replaced_by(*last));
     if is_first {
         *reference = Some(Box::new(StepReference::new(*last, &acceleration, &damping)));
     }
     *last = h;
     let longer = reference.as_deref().and_then(|longer| Some((longer, longer.ratio(h, growth)?)));
+    let recent = longer.filter(|(longer, _)| longer.is_recent());
+    let own = growth.min(LARGEST_RATIO);
+    let ratio = (recent.map_or(own, |(_, ratio)| ratio), recent.is_some());
     let Newton { tangent, r, z, .. } = newton;
     let (matrix, _) = tangent.lend();
     eom.tangent(s, Weights::MASS, matrix);
-    let wanted = longer.map(|(longer, ratio)| longer.constraint_velocities(matrix, ratio, z, r));
+    let wanted = recent.map(|(longer, ratio)| longer.constraint_velocities(matrix, ratio, z, r));
     let mut force = Vec::new();
     if is_filtered {
-        acceleration.start(longer.map(|(longer, ratio)| (&longer.acceleration, ratio)), growth, z);
+        acceleration.start(longer.map(|(longer, _)| &longer.acceleration), ratio, z);
         matrix.multiply(z, r);
         z.copy_from_slice(r);
         if damping.actual.iter().chain(&*damping.auxiliary).any(|x| *x != 0.0) {
             force = vec![0.0; z.len()];
-            damping.start(longer.map(|(longer, ratio)| (&longer.damping, ratio)), growth, &mut force);
+            damping.start(longer.map(|(longer, _)| &longer.damping), ratio, &mut force);
         }
     } else {
         acceleration.scale(growth);
@@ -70,20 +73,21 @@ pub(crate) fn adapt<E: EquationsOfMotion>(
         solve_again(matrix, factor, s, z)?;
         acceleration.add(z);
     }
-    if is_constrained {
-        let kept = if growth > LARGEST_RATIO { 0.0 } else { growth * growth };
-        let target = |i: usize, u: f64| wanted.as_ref().map_or(kept * u, |wanted| wanted[i]);
-        change_drift(eom, (matrix, factor), s, target, z)?;
-        if let Some(reference) = reference.as_deref_mut().filter(|_| is_first) {
-            reference.set_drift(z.iter().map(|change| change / (kept - 1.0)));
-        }
-    }
     if !force.is_empty() {
+        // Before the velocities change, of which the tangent is a function.
         solve_again(matrix, factor, s, &mut force)?;
         eom.tangent(s, Weights::MASS, matrix);
         matrix.multiply(&force, r);
         damping.add(r);
         eom.tangent(s, scheme.weights(h), matrix);
+    }
+    if is_constrained {
+        let kept = own * own;
+        let target = |i: usize, u: f64| wanted.as_ref().map_or(kept * u, |wanted| wanted[i]);
+        change_drift(eom, (matrix, factor), s, target, z)?;
+        if let Some(reference) = reference.as_deref_mut().filter(|_| is_first) {
+            reference.set_drift(z.iter().map(|change| change / (kept - 1.0)));
+        }
     }
     Ok(())
 }

@@ -1,7 +1,5 @@
 use serde::{Deserialize, Serialize};
 
-use super::LARGEST_RATIO;
-
 /// Auxiliary values of a scheme and the actual ones.
 pub(crate) struct Auxiliary<'a> {
     pub(crate) auxiliary: &'a mut [f64],
@@ -23,14 +21,27 @@ impl Auxiliary<'_> {
         self.auxiliary.iter_mut().zip(self.actual).for_each(|(a, v)| *a = v + growth * (*a - v));
     }
 
-    /// Writes the change y and sets the auxiliary values to those to which it is added when it is filtered.
-    pub(super) fn start(&mut self, longer: Option<(&AuxiliaryReference, f64)>, growth: f64, y: &mut [f64]) {
+    /// Writes the change y before its filter. A growth from a reference sets the auxiliary values to its mean values, to which the change
+    /// is then added.
+    ///
+    /// `ratio` is the size of the step relative to that of a recent reference, or else to the last step.
+    pub(super) fn start(
+        &mut self,
+        longer: Option<&AuxiliaryReference>,
+        (ratio, is_recent): (f64, bool),
+        y: &mut [f64],
+    ) {
         y.fill(0.0);
         for (i, (auxiliary, actual)) in self.auxiliary.iter_mut().zip(self.actual).enumerate() {
-            y[i] = match longer {
-                Some((longer, ratio)) => longer.start(i, auxiliary, *actual, ratio),
-                None => (growth.min(LARGEST_RATIO) - 1.0) * (*auxiliary - actual),
-            };
+            let own = *auxiliary - actual;
+            match longer {
+                Some(longer) => {
+                    *auxiliary = longer.mean[i];
+                    let lead = if is_recent { longer.lead[i] } else { own };
+                    y[i] = actual + ratio * lead - *auxiliary;
+                }
+                None => y[i] = (ratio - 1.0) * own,
+            }
         }
     }
 
@@ -49,12 +60,6 @@ impl AuxiliaryReference {
     /// Includes a step in the mean value with the given share.
     pub(super) fn record(&mut self, share: f64, auxiliary: &[f64]) {
         self.mean.iter_mut().zip(auxiliary).for_each(|(mean, a)| *mean += share * (a - *mean));
-    }
-
-    /// Sets an auxiliary value to the mean, and returns its change v̇ + (h/H) (a − v̇) − ā.
-    fn start(&self, i: usize, auxiliary: &mut f64, actual: f64, ratio: f64) -> f64 {
-        *auxiliary = self.mean[i];
-        actual + ratio * self.lead[i] - *auxiliary
     }
 
     /// Returns the mean value and the difference.

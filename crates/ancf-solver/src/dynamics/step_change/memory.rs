@@ -13,6 +13,7 @@ pub(crate) struct StepMemory<'a> {
     pub(crate) damping: Auxiliary<'a>,
     /// Step size to which the quantities belong; 0 at a start.
     pub(crate) h: &'a mut f64,
+    /// Last longer step.
     pub(crate) reference: &'a mut Option<Box<StepReference>>,
 }
 

@@ -12,6 +12,5 @@ pub(crate) use reference::StepReference;
 
 /// Relative difference of step sizes up to which they count as equal.
 pub(crate) const SAME: f64 = 0.01;
-/// Ratio of step sizes above which quantities of the last step are not extrapolated: they contain vibrations that a longer step does not
-/// resolve.
-pub(crate) const LARGEST_RATIO: f64 = 4.0;
+/// Largest ratio of step sizes by which quantities of the last step are scaled. Larger ratios would scale rounding errors.
+const LARGEST_RATIO: f64 = 100.0;

@@ -4,3 +4,4 @@ mod inputs;
 mod linear_models;
 mod states;
 mod steps;
+mod varying_steps;

@@ -118,8 +118,6 @@ impl<E: EquationsOfMotion> TimeStepper<'_, E> {
             accelerations(&*own.eom, matrix, factor, &mut own.motion.state, z, factors)?;
             own.motion.restart_scheme();
             own.set_exchange();
-            own.motion.predictor.restart();
-            own.motion.restart_errors(true);
             Ok(())
         })
     }
@@ -142,13 +140,11 @@ impl<E: EquationsOfMotion> TimeStepper<'_, E> {
             let power = own.eom.exchange(&own.motion.state, &mut own.damping.force);
             own.motion.power.replace(power);
             own.motion.damping.replace(&own.damping.force);
-            own.motion.predictor.restart();
-            own.motion.restart_errors(true);
             Ok(())
         })
     }
 
-    /// Performs a change that reverts to the present state if it fails.
+    /// Performs a change to consistent accelerations that reverts to the present state if it fails.
     fn revertible(
         &mut self,
         change: impl FnOnce(&mut Self) -> Result<(), SolveError>,
@@ -157,7 +153,11 @@ impl<E: EquationsOfMotion> TimeStepper<'_, E> {
         let (energy, exchanged) = (self.motion.energy, self.motion.exchanged);
         let done = change(self);
         match done {
-            Ok(()) => self.save_restart_point(),
+            Ok(()) => {
+                self.motion.predictor.restart();
+                self.motion.restart_errors(true);
+                self.save_restart_point();
+            }
             Err(_) => {
                 self.revert();
                 (self.motion.energy, self.motion.exchanged) = (energy, exchanged);

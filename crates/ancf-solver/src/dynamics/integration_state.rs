@@ -68,7 +68,7 @@ pub struct StepperCheckpoint {
 pub struct CheckpointMismatch;
 
 /// Largest ratio of steps by which the changes of powers are extrapolated. Those of vibrations have no limit.
-const LARGEST_GROWTH: f64 = 4.0;
+const LARGEST_POWER_RATIO: f64 = 4.0;
 /// Largest plausible count in a report. Larger counts indicate damaged data.
 const MAX_COUNT: u32 = u32::MAX / 4;
 
@@ -113,7 +113,7 @@ impl IntegrationState {
         let is_first = self.at_start && !scheme.is_newmark();
         let ratio = |last: f64| if last > 0.0 { h / last } else { 1.0 };
         let mut integral = self.power;
-        let growth = (!is_first).then_some(ratio(self.h).min(LARGEST_GROWTH));
+        let growth = (!is_first).then_some(ratio(self.h).min(LARGEST_POWER_RATIO));
         let mut exchange = integral.advance(scheme, growth, h, power);
         let (start, ratio) = (is_first.then_some(start), ratio(self.adapted_h));
         exchange.dissipation += self.damping.work(scheme, (before, &self.state), (start, ratio), damping);

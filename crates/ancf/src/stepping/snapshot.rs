@@ -41,7 +41,8 @@ impl Stepper {
     /// Snapshot of everything on which later steps depend. Steps after [`restore`](Self::restore) are bit-identical, also in another
     /// process.
     ///
-    /// For n coordinates and m multipliers it has about 8 (9n + 3m) bytes. External functions of the program are not contained.
+    /// For n coordinates and m multipliers it has about 8 (9n + 3m) bytes, and 40n more after a step that was shorter than the one
+    /// before. External functions of the program are not contained.
     ///
     /// # Errors
     /// If the bytes do not fit into memory.

@@ -4,6 +4,7 @@ use std::io;
 use std::ops::ControlFlow;
 
 use ancf::model::Analysis;
+use ancf::reading::ValidModel;
 use ancf::record::{Csv, Series, Sink};
 use ancf::solver::equations::State;
 use ancf::{Error, Model, Observer, Simulation};
@@ -51,8 +52,8 @@ impl LiveRun<'_> {
     /// The errors of the model.
     pub fn run(&self, send: &mut dyn FnMut(&[u8])) -> Result<RunRecord, Error> {
         let clock = Instant::now();
-        let model = Model::parse(self.text)?;
-        let simulation = Simulation::new(&model)?;
+        let model = ValidModel::parse(self.text)?;
+        let simulation = Simulation::of_valid(&model)?;
         let (surfaces, notes) = BodySurfaces::of_run(&model, "".as_ref());
         let title = model.title.as_deref().unwrap_or(self.title);
         let view =

@@ -1,6 +1,7 @@
 //! Errors and warnings of a model text.
 
-use ancf::{Model, ModelError};
+use ancf::ModelError;
+use ancf::reading::ValidModel;
 use serde::Serialize;
 
 /// Error or warning of a model text.
@@ -30,7 +31,7 @@ pub enum Severity {
 
 /// Returns all errors of a model text in their order, or its warnings.
 pub fn problems(text: &str) -> Vec<Problem> {
-    match Model::parse(text).and_then(|model| model.diagnose()) {
+    match ValidModel::parse(text).and_then(|model| model.diagnose()) {
         Ok(diagnosis) => diagnosis.warnings.into_iter().map(warning).collect(),
         Err(errors) => errors.iter().map(|error| located(error, text)).collect(),
     }

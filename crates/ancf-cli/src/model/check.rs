@@ -6,7 +6,7 @@ use std::{fs, io, thread};
 
 use ancf::diagnosis::Diagnosis;
 use ancf::model::ModelErrors;
-use ancf::reading::{AnalysisSequence, SequenceStage, with_places};
+use ancf::reading::{ModelFile, SequenceStage, with_places};
 use ancf::{Model, Simulation};
 use clap::Args;
 use serde::Serialize;
@@ -208,18 +208,20 @@ impl Checked {
 
 /// Diagnoses of the model of a file, or of the models of all its analyses.
 fn diagnose(text: &str, file: &Path) -> Result<Vec<(String, Diagnosis)>, ModelErrors> {
-    if let Some(sequence) = AnalysisSequence::parse(text)? {
-        check_stages(&sequence, text)?;
-        surfaces_of(&sequence.stages[0].model, text, file)?;
-        let diagnosis = |stage: &SequenceStage| Ok((stage.name.clone(), stage.model.diagnose()?));
-        return sequence.stages.iter().map(diagnosis).collect();
-    }
-    let model = Model::parse(text)?;
+    let model = match ModelFile::parse(text)? {
+        ModelFile::Single(model) => model,
+        ModelFile::Sequence(sequence) => {
+            check_stages(&sequence, text)?;
+            surfaces_of(&sequence.stages[0].model, text, file)?;
+            let diagnosis = |stage: &SequenceStage| Ok((stage.name.clone(), stage.model.diagnose()?));
+            return sequence.stages.iter().map(diagnosis).collect();
+        }
+    };
     surfaces_of(&model, text, file)?;
     let diagnosis = model.diagnose().map_err(|errors| with_places(errors, text))?;
     let has_conditions = model.analysis.dynamics().is_some_and(|own| !own.until.is_empty());
     if model.starts_from().is_some() || has_conditions {
-        let simulation = Simulation::new(&model).map_err(|errors| with_places(errors, text))?;
+        let simulation = Simulation::of_valid(&model).map_err(|errors| with_places(errors, text))?;
         start_of(&model, &simulation, text, file)?;
     }
     Ok(vec![(String::new(), diagnosis)])

@@ -3,8 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use ancf::estimate::MeshStep;
-use ancf::reading::{AnalysisSequence, with_places};
-use ancf::{Model, Observer, RefinedModel, Simulation, can_refine, refine};
+use ancf::reading::{AnalysisSequence, ModelFile, ValidModel, with_places};
+use ancf::{Model, ModelErrors, Observer, RefinedModel, Simulation, can_refine, refine};
 use ancf_report::BUDGET;
 use ancf_results::{CheckpointInterval, Folder, Recorder, sequence_file, write_sequence};
 use anyhow::Result;
@@ -96,12 +96,11 @@ impl RunArguments {
 
     /// Runs the model into a folder. Returns also the folder of the last results.
     fn run_into(&self, folder: PathBuf) -> Result<(Ended, PathBuf)> {
-        let text = Model::read_text(&self.file);
-        let sequence = text.as_ref().map_err(Clone::clone).and_then(|text| AnalysisSequence::parse(text));
-        match (text, sequence) {
-            (Err(errors), _) | (_, Err(errors)) => Ok((refuse(&errors, &self.file), folder)),
-            (Ok(text), Ok(None)) => Ok((self.run_single(text, &folder)?, folder)),
-            (Ok(text), Ok(Some(sequence))) => self.run_sequence(text, sequence, folder),
+        let read = Model::read_text(&self.file).and_then(|text| Ok((ModelFile::parse(&text)?, text)));
+        match read {
+            Err(errors) => Ok((refuse(&errors, &self.file), folder)),
+            Ok((ModelFile::Single(model), text)) => Ok((self.run_single(*model, text, &folder)?, folder)),
+            Ok((ModelFile::Sequence(sequence), text)) => self.run_sequence(text, sequence, folder),
         }
     }
 
@@ -136,14 +135,27 @@ impl RunArguments {
         Ok((ended, last.unwrap_or(folder)))
     }
 
-    fn run_single(&self, text: String, folder: &Path) -> Result<Ended> {
-        let prepared = Model::parse(&text).and_then(|mut model| {
-            model.output.errors |= self.errors;
-            let surfaces = surfaces_of(&model, &text, &self.file)?;
-            let simulation = Simulation::new(&model).map_err(|errors| with_places(errors, &text))?;
-            let start = start_of(&model, &simulation, &text, &self.file)?;
-            Ok((model, simulation, surfaces, start))
+    /// Model with error estimates, if they are requested.
+    fn with_estimates(&self, model: ValidModel) -> Result<ValidModel, ModelErrors> {
+        if !self.errors || model.output.errors {
+            return Ok(model);
+        }
+        let mut model = model.into_model();
+        model.output.errors = true;
+        ValidModel::new(model)
+    }
+
+    fn run_single(&self, model: ValidModel, text: String, folder: &Path) -> Result<Ended> {
+        let prepared = self.with_estimates(model).and_then(|model| {
+            let simulation = Simulation::of_valid(&model)?;
+            Ok((model, simulation))
         });
+        let prepared =
+            prepared.map_err(|errors| with_places(errors, &text)).and_then(|(model, simulation)| {
+                let surfaces = surfaces_of(&model, &text, &self.file)?;
+                let start = start_of(&model, &simulation, &text, &self.file)?;
+                Ok((model, simulation, surfaces, start))
+            });
         let (model, simulation, surfaces, start) = match prepared {
             Ok(prepared) => prepared,
             Err(errors) => return Ok(refuse(&errors, &self.file)),

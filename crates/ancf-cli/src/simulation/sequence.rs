@@ -3,9 +3,9 @@
 use std::fs;
 use std::path::Path;
 
-use ancf::reading::{AnalysisSequence, SequenceStage};
+use ancf::Simulation;
+use ancf::reading::{AnalysisSequence, SequenceStage, ValidModel};
 use ancf::solver::newton::Interrupt;
-use ancf::{Model, Simulation};
 use ancf_results::{CheckpointInterval, Folder, Recorder, Results};
 use ancf_surface::BodySurfaces;
 use anyhow::{Context, Result};
@@ -79,8 +79,8 @@ impl SequenceRun<'_> {
     }
 
     fn record(&self, stage: &SequenceStage, text: &str, folder: &Path) -> Result<Recorded> {
-        let prepared = Model::parse(text).and_then(|model| {
-            let simulation = Simulation::new(&model)?;
+        let prepared = ValidModel::parse(text).and_then(|model| {
+            let simulation = Simulation::of_valid(&model)?;
             let start = start_of(&model, &simulation, text, &folder.join("model.toml"))?;
             Ok((model, simulation, start))
         });

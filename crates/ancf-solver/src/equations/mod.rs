@@ -1,8 +1,8 @@
 //! Equations of motion as a sum of terms: states, local terms and the assembled system.
 
 mod batch;
+mod constraint_rows;
 mod contact_pairs;
-mod dependence;
 mod motion_equations;
 mod scatter;
 mod stiffness_products;
@@ -13,8 +13,8 @@ mod terms;
 mod thread_parts;
 
 pub use batch::{Batch, LANES, Lanes, LocalLanes, MAX_UNKNOWNS};
+pub use constraint_rows::{REDUNDANCY_TOLERANCE, all_constraint_rows, constraint_rows};
 pub use contact_pairs::{ActiveGroup, ActivePair, ContactGroup, ContactPair, ContactSearch, active_terms};
-pub use dependence::{Dependence, REDUNDANCY_TOLERANCE, all_constraint_rows, constraint_rows, dependences};
 pub use motion_equations::EquationsOfMotion;
 pub use scatter::Scatter;
 pub use stiffness_products::StiffnessProducts;

@@ -3,8 +3,8 @@ use std::ops::AddAssign;
 use std::sync::Arc;
 
 use super::batch::{Batch, GatheredLanes, LaneStorage, LocalLanes, PlacedBatch, TangentLanes, TangentPlaces};
+use super::constraint_rows::scaled_constraint_rows;
 use super::contact_pairs::{ActiveContacts, ActiveGroup, ContactSearch};
-use super::dependence::scaled_constraint_rows;
 use super::motion_equations::EquationsOfMotion;
 use super::scatter::{Scatter, pattern_of, scatters};
 use super::term_sums::{LocalState, USUAL};

@@ -6,8 +6,8 @@ use std::sync::Arc;
 use nalgebra::DVector;
 
 use super::batch::LaneStorage;
+use super::constraint_rows::redundant_rows;
 use super::contact_pairs::{ActiveGroup, ActivePair, acting_pairs};
-use super::dependence::redundant_rows;
 use super::motion_equations::EquationsOfMotion;
 use super::stiffness_products::{StiffnessProducts, stiffness_products};
 use super::system::System;

@@ -1,5 +1,7 @@
-//! LDLᵀ factorisation of tangents with multipliers, iterative refinement and LU as a fallback.
+//! LDLᵀ factorisation of tangents with multipliers, iterative refinement and LU as a fallback; null spaces and dependences of
+//! sparse rows.
 
+mod dependences;
 mod factorisation;
 mod inertia;
 mod multifrontal;
@@ -8,9 +10,10 @@ mod products;
 mod scaled_lu;
 mod scales;
 
+pub use dependences::{Dependence, dependences};
 pub(crate) use factorisation::DETERMINED;
 pub use factorisation::{Factor, FactorHistory, SingularMatrix};
 pub use inertia::inertia;
-pub use null_space::{NullSpace, SparseVector};
+pub use null_space::{NullSpace, SparseRow, SparseVector, sparse_row};
 pub(crate) use products::Products;
 pub(crate) use scaled_lu::GeneralLu;

@@ -3,8 +3,22 @@ use std::collections::BTreeMap;
 /// Sparse row or column: entries by index.
 pub type SparseVector = BTreeMap<usize, f64>;
 
-/// Entries of a row in ascending order of their indices.
-type SortedRow = Vec<(usize, f64)>;
+/// Entries of a sparse row by column, in ascending order of the columns.
+pub type SparseRow = Vec<(usize, f64)>;
+
+/// Sums entries by column.
+pub fn sparse_row(mut entries: Vec<(usize, f64)>) -> SparseRow {
+    // A stable sort keeps the order of the summands.
+    entries.sort_by_key(|(j, _)| *j);
+    entries.dedup_by(|(j, x), (before, sum)| {
+        let is_same = j == before;
+        if is_same {
+            *sum += *x;
+        }
+        is_same
+    });
+    entries
+}
 
 /// Null space of a set of rows, by Gauss-Jordan elimination row by row.
 ///
@@ -13,7 +27,7 @@ type SortedRow = Vec<(usize, f64)>;
 #[derive(Clone, Debug, Default)]
 pub struct NullSpace {
     /// Coefficients c of each pivot p: x_p + Σⱼ cⱼ xⱼ = 0, j free.
-    pivots: BTreeMap<usize, SortedRow>,
+    pivots: BTreeMap<usize, SparseRow>,
     /// Pivots whose rows contain an unknown, or contained it, by the unknown.
     users: BTreeMap<usize, Vec<usize>>,
     /// Number of coefficients of all pivots.
@@ -28,9 +42,9 @@ impl NullSpace {
     ///
     /// Unknowns accepted by `prefer` become pivots unless their entries are small, so that the other unknowns remain
     /// free.
-    pub fn add_row(&mut self, row: SparseVector, tolerance: f64, prefer: impl Fn(usize) -> bool) {
-        let known: Vec<usize> = row.keys().copied().filter(|j| self.pivots.contains_key(j)).collect();
-        let mut row: SortedRow = row.into_iter().collect();
+    pub fn add_row(&mut self, row: SparseRow, tolerance: f64, prefer: impl Fn(usize) -> bool) {
+        let known: Vec<usize> = row.iter().map(|(j, _)| *j).filter(|j| self.pivots.contains_key(j)).collect();
+        let mut row = row;
         for p in known {
             row = eliminated(&row, p, &self.pivots[&p], |_| {});
         }
@@ -74,7 +88,7 @@ impl NullSpace {
     /// Returns the basis vectors by their free unknowns, for the given total number of unknowns.
     pub fn basis(&self, unknowns: usize) -> BTreeMap<usize, SparseVector> {
         let free = (0..unknowns).filter(|j| !self.pivots.contains_key(j));
-        let mut vectors: BTreeMap<usize, SortedRow> = free.map(|j| (j, vec![(j, 1.0)])).collect();
+        let mut vectors: BTreeMap<usize, SparseRow> = free.map(|j| (j, vec![(j, 1.0)])).collect();
         for (&pivot, row) in &self.pivots {
             for (j, c) in row {
                 if let Some(vector) = vectors.get_mut(j) {
@@ -87,12 +101,12 @@ impl NullSpace {
 }
 
 /// Place of an unknown in a row.
-fn position(row: &SortedRow, unknown: usize) -> Option<usize> {
+fn position(row: &SparseRow, unknown: usize) -> Option<usize> {
     row.binary_search_by_key(&unknown, |(j, _)| *j).ok()
 }
 
 /// Returns a row with x_p replaced by −Σ c x. `added` is called with the unknowns that the row did not contain.
-fn eliminated(row: &SortedRow, p: usize, pivot_row: &SortedRow, mut added: impl FnMut(usize)) -> SortedRow {
+fn eliminated(row: &SparseRow, p: usize, pivot_row: &SparseRow, mut added: impl FnMut(usize)) -> SparseRow {
     let Some(place) = position(row, p) else { return row.clone() };
     let entry = row[place].1;
     let mut sum = Vec::with_capacity(row.len() + pivot_row.len());

@@ -4,6 +4,7 @@ use std::io;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::Instant;
 
+use ancf::reading::ValidModel;
 use ancf::record::Every;
 use ancf::solver::newton::Interrupt;
 use ancf::{Model, Outcome, Simulation, Summary};
@@ -77,7 +78,7 @@ impl CaseRow {
         let clock = Instant::now();
         let row = catch_unwind(AssertUnwindSafe(|| {
             let data = design.data(base, case).map_err(|error| error.to_string());
-            match data.and_then(|data| Model::from_value(&data).map_err(|errors| errors.to_string())) {
+            match data.and_then(|data| ValidModel::from_value(&data).map_err(|errors| errors.to_string())) {
                 Ok(model) => Self::simulate(&model, objectives, interrupt),
                 Err(message) => Self::without(CaseOutcome::Invalid, message, objectives),
             }
@@ -89,9 +90,9 @@ impl CaseRow {
         Self { seconds: clock.elapsed().as_secs_f64(), ..row }
     }
 
-    fn simulate(model: &Model, objectives: &Objectives, interrupt: &Interrupt) -> Self {
+    fn simulate(model: &ValidModel, objectives: &Objectives, interrupt: &Interrupt) -> Self {
         let mut gauges = ObjectiveGauges::new(objectives);
-        let simulation = match Simulation::new(model) {
+        let simulation = match Simulation::of_valid(model) {
             Ok(simulation) => simulation.with_interrupt(interrupt.clone()),
             Err(errors) => return Self::without(CaseOutcome::Invalid, errors.to_string(), objectives),
         };

@@ -1,13 +1,11 @@
 use ancf_mechanics::batches::term_batches;
 use ancf_mechanics::bodies::BodyTerms;
-use std::collections::BTreeSet;
-
 use ancf_solver::equations::{System, Term};
-
 use nalgebra::Vector3;
 
 use super::assembled::{Assembly, OwnedTerms, RecordedQuantity};
 use super::loads::InnerLoads;
+use super::redundancy::Redundancy;
 use crate::checking::factor_storage;
 use crate::errors::ModelErrors;
 use crate::model::{IndexedModel, TimeMode};
@@ -53,7 +51,6 @@ impl IndexedModel<'_> {
         let system = system.with_factor_storage(storage);
         let (breaks, inputs) = (self.breaks(time_mode), self.inputs(&bodies, time_mode));
         let couplings = self.couplings.iter().map(|coupling| coupling.name.clone()).collect();
-        let (redundant, undetermined, closed) = (Vec::new(), BTreeSet::new(), None);
         let assembly = Assembly {
             system,
             probes,
@@ -62,9 +59,8 @@ impl IndexedModel<'_> {
             bodies,
             joints,
             couplings,
-            redundant,
-            undetermined,
-            closed,
+            redundancy: Redundancy::default(),
+            closed: None,
             breaks,
             inputs,
             inner_loads,

@@ -1,4 +1,3 @@
-use std::collections::BTreeSet;
 use std::ops::Range;
 
 use ancf_mechanics::bodies::{BeamMesh, BodyTerms, ShellPlace};
@@ -11,7 +10,7 @@ use nalgebra::Vector3;
 
 use super::inputs::{Inputs, NoNumber};
 use super::loads::InnerLoads;
-use super::redundancy::Redundant;
+use super::redundancy::Redundancy;
 use crate::errors::short;
 use crate::joints::{GapClosure, JointEquations, RecordedCoordinate};
 use crate::model::{Output, Quantity};
@@ -33,8 +32,7 @@ pub struct Assembly {
     pub(crate) bodies: Vec<(String, BodyTerms)>,
     pub(crate) joints: Vec<JointEquations>,
     pub(crate) couplings: Vec<String>,
-    pub(crate) redundant: Vec<Redundant>,
-    pub(crate) undetermined: BTreeSet<usize>,
+    pub(crate) redundancy: Redundancy,
     pub(crate) closed: Option<GapClosure>,
     pub(crate) breaks: Vec<f64>,
     pub(crate) inputs: Inputs,

@@ -1,14 +1,15 @@
-use ancf_solver::equations::{Dependence, REDUNDANCY_TOLERANCE, State};
+use ancf_solver::equations::{REDUNDANCY_TOLERANCE, State};
+use ancf_solver::factor::Dependence;
 
 use super::assembled::Assembly;
-use super::redundancy::{APART, Constraints, Redundant};
+use super::redundancy::{APART, Constraints, Redundancy, Redundant};
 use crate::joints::JointEquations;
 
 impl Assembly {
     /// Redundant joint equations in the reference state. Multipliers are shared in the least-squares sense, which does not affect
     /// the motion.
     pub fn redundant(&self) -> &[Redundant] {
-        &self.redundant
+        &self.redundancy.equations
     }
 
     /// Joint equations that are redundant in a state within a relative `tolerance`.
@@ -53,11 +54,6 @@ impl Assembly {
         found.iter().filter(parts).filter_map(|dependence| constraints.describe(dependence)).collect()
     }
 
-    /// Number of constraint equations minus their rank in the reference state.
-    pub(crate) fn rank_deficiency(&self) -> usize {
-        self.constraints().dependences(&self.rest(), REDUNDANCY_TOLERANCE).len()
-    }
-
     /// Warnings of joints whose friction depends on a reaction that redundant equations do not determine.
     pub(crate) fn undetermined_friction(&self) -> Vec<String> {
         let observes = |joint: &&JointEquations| {
@@ -66,7 +62,7 @@ impl Assembly {
         let shares = |joint: &&JointEquations| {
             let of =
                 |one: &Redundant| !one.coupling && one.joint == joint.name || one.with.contains(&joint.name);
-            self.redundant.iter().any(of)
+            self.redundancy.equations.iter().any(of)
         };
         let text = |joint: &JointEquations| {
             format!(
@@ -78,9 +74,14 @@ impl Assembly {
         self.joints.iter().filter(observes).filter(shares).map(text).collect()
     }
 
+    /// Number of constraint equations minus their rank in the reference state.
+    pub(crate) fn rank_deficiency(&self) -> usize {
+        self.redundancy.rank_deficiency
+    }
+
     /// Multipliers that are undetermined because of redundant equations.
     pub(crate) fn undetermined(&self) -> impl Iterator<Item = usize> {
-        self.undetermined.iter().copied()
+        self.redundancy.undetermined.iter().copied()
     }
 
     pub(crate) fn constraints(&self) -> Constraints<'_> {
@@ -92,9 +93,9 @@ impl Assembly {
         let (rest, constraints) = (self.rest(), self.constraints());
         let found = constraints.dependences(&rest, REDUNDANCY_TOLERANCE);
         let undetermined = constraints.undetermined(&found, &rest);
-        self.redundant = constraints.words(&found);
+        let equations = constraints.words(&found);
         self.system = self.system.with_shared_multipliers(undetermined.iter().copied());
-        self.undetermined = undetermined;
+        self.redundancy = Redundancy { equations, rank_deficiency: found.len(), undetermined };
         self
     }
 }

@@ -2,7 +2,7 @@ use std::collections::BTreeMap;
 
 use ancf_mechanics::kinematics::NodalVector;
 use ancf_solver::equations::{EquationsOfMotion, State, Weights, all_constraint_rows};
-use ancf_solver::factor::{NullSpace, SparseVector};
+use ancf_solver::factor::{NullSpace, SparseRow, SparseVector, sparse_row};
 use nalgebra::{Matrix3, SymmetricEigen, Vector3};
 
 use super::free_motion::{FreeMotion, RigidMotion};
@@ -79,9 +79,9 @@ impl Assembly {
             }
         }
         let mut kernel = NullSpace::default();
-        for (i, mut row) in rows.into_iter().enumerate() {
-            row.iter_mut().for_each(|(&j, x)| *x *= scale[i] * scale[j]);
-            kernel.add_row(row, 1.0, |_| false);
+        for (i, row) in rows.into_iter().enumerate() {
+            let scaled = row.into_iter().map(|(j, x)| (j, x * scale[i] * scale[j]));
+            kernel.add_row(scaled.collect(), 1.0, |_| false);
         }
         let combine = |(leader, parts): (usize, SparseVector)| {
             let mut sum = SparseVector::new();
@@ -163,18 +163,15 @@ impl RigidModel {
     }
 
     /// Rows Φ_q for rigid motions, relative to the sum of magnitudes.
-    fn rows(&self, constraints: Vec<SparseVector>) -> impl Iterator<Item = SparseVector> {
-        let on_rigid = |of_term: SparseVector| {
-            let (mut row, mut magnitude) = (SparseVector::new(), SparseVector::new());
-            for (c, entry) in of_term {
-                for (unknown, x) in self.motions_of(c) {
-                    let product = entry * x;
-                    *row.entry(unknown).or_default() += product;
-                    *magnitude.entry(unknown).or_default() += product.abs();
-                }
-            }
-            let size = magnitude.values().fold(0.0, |max: f64, x| max.max(*x));
-            row.values_mut().for_each(|x| *x /= if size > 0.0 { size } else { 1.0 });
+    fn rows(&self, constraints: Vec<SparseRow>) -> impl Iterator<Item = SparseRow> {
+        let on_rigid = |of_term: SparseRow| {
+            let products = || {
+                of_term.iter().flat_map(|&(c, entry)| self.motions_of(c).map(move |(j, x)| (j, entry * x)))
+            };
+            let magnitude = sparse_row(products().map(|(j, x)| (j, x.abs())).collect());
+            let size = magnitude.iter().fold(0.0, |max: f64, (_, x)| max.max(*x));
+            let mut row = sparse_row(products().collect());
+            row.iter_mut().for_each(|(_, x)| *x /= if size > 0.0 { size } else { 1.0 });
             row
         };
         constraints.into_iter().map(on_rigid)

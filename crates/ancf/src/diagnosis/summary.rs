@@ -12,6 +12,7 @@ use crate::assembly::{Assembly, Redundant};
 use crate::errors::ModelErrors;
 use crate::joints::Joint;
 use crate::model::{Body, Model, Origin};
+use crate::reading::ValidModel;
 
 /// Contents of a model, constraints of its joints, and free motions. Lengths in the user's units.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -63,6 +64,11 @@ impl Model {
     /// If the model is not valid, or its gaps cannot be closed.
     pub fn diagnose(&self) -> Result<Diagnosis, ModelErrors> {
         self.check()?;
+        self.diagnosis()
+    }
+
+    /// Diagnosis of a valid model.
+    fn diagnosis(&self) -> Result<Diagnosis, ModelErrors> {
         let scales = self.scales().scales;
         let model = self.scaled(&scales);
         let dynamic = model.analysis.dynamics().is_some();
@@ -71,7 +77,6 @@ impl Model {
         let load = if dynamic { 1.0 } else { 0.0 };
         let motions = assembly.free_motions(&State { load, ..assembly.rest() });
         let text = |motion: FreeMotion| motion.scaled(scales.length).to_string();
-        let all_redundant = assembly.rank_deficiency();
         let connections = Connections::new(self);
         // Other starts are computed by the run, which reports their projection.
         let projection =
@@ -92,7 +97,8 @@ impl Model {
             coordinates: system.coordinates(),
             equations: system.multipliers(),
             redundant: assembly.redundant().to_vec(),
-            freedoms: (system.coordinates() + all_redundant).saturating_sub(system.multipliers()),
+            freedoms: (system.coordinates() + assembly.rank_deficiency())
+                .saturating_sub(system.multipliers()),
             gruebler: self.gruebler(),
             motions: motions.map(|motions| motions.into_iter().map(text).collect()),
             unconnected: connections.unconnected(),
@@ -116,6 +122,16 @@ impl Model {
         let constrained = self.joints.iter().map(removed).sum::<usize>() + self.couplings.len();
         let free = self.bodies.iter().map(|body| if matches!(body, Body::Mass(_)) { 3 } else { 6 });
         free.sum::<isize>() - constrained as isize
+    }
+}
+
+impl ValidModel {
+    /// Assembles the model and reports its contents, as [`Model::diagnose`].
+    ///
+    /// # Errors
+    /// If gaps of the model cannot be closed.
+    pub fn diagnose(&self) -> Result<Diagnosis, ModelErrors> {
+        self.diagnosis()
     }
 }
 

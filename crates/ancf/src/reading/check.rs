@@ -34,19 +34,18 @@ impl Model {
 
     /// Checks the model by the schema and by rules for models that satisfy it.
     fn check_by(&self, rules: Rules) -> Result<(), ModelErrors> {
-        let data = Value::try_from(self)
-            .map_err(|error| ModelErrors(vec![ModelError::new("", error.to_string(), "a model")]))?;
-        // The data lack added joints and loads and supplied functions, so the rules are checked on the model itself.
-        let findings = if self.is_extended() {
-            let (check, _) = SchemaCheck::of(&SCHEMA, &data);
-            if check.findings.is_empty() { rules(&self.with_signals()) } else { check.findings }
+        let data = || {
+            Value::try_from(self)
+                .map_err(|error| ModelErrors(vec![ModelError::new("", error.to_string(), "a model")]))
+        };
+        let (check, _) = SchemaCheck::of(&SCHEMA, data()?);
+        let findings = if check.findings.is_empty() {
+            // The data lack added joints and loads and supplied functions, so the rules are checked on the model itself.
+            rules(&self.with_signals())
+        } else if self.is_extended() {
+            check.findings
         } else {
-            let (_, findings) = check_data_by(data, rules);
-            if findings.is_empty() && self.has_external_functions(true) {
-                rules(&self.with_signals())
-            } else {
-                findings
-            }
+            check_data_by(data()?, rules).1
         };
         if findings.is_empty() { Ok(()) } else { Err(ModelErrors(errors(findings))) }
     }
@@ -159,8 +158,7 @@ fn check_data_by(mut data: Value, rules: Rules) -> (Option<Model>, Vec<Finding>)
     if !unread.is_empty() {
         return (None, unread);
     }
-    let (mut check, corrected) = SchemaCheck::of(&SCHEMA, &data);
-    drop(data);
+    let (mut check, corrected) = SchemaCheck::of(&SCHEMA, data);
     let mut findings = std::mem::take(&mut check.findings);
     let mut model = Model::deserialize(corrected);
     if let Ok(model) = &mut model {

@@ -7,8 +7,10 @@ mod read;
 mod sequence;
 mod substitute;
 mod supply;
+mod valid_model;
 
 pub use part::check_part;
 pub use read::{parse_as, with_places};
 pub use sequence::{AnalysisSequence, SequenceStage};
 pub use substitute::{substitute, values_at};
+pub use valid_model::{ModelFile, ValidModel};

@@ -19,7 +19,7 @@ use crate::schema::{SCHEMA, SchemaCheck, did_you_mean};
 /// ```
 pub fn check_part(definition: &str, data: &Value) -> Result<(), ModelErrors> {
     let schema = schema_of(definition).ok_or_else(|| ModelErrors(vec![unknown_definition(definition)]))?;
-    let (check, _) = SchemaCheck::of(schema, data);
+    let (check, _) = SchemaCheck::of(schema, data.clone());
     let errors: Vec<_> = check.findings.into_iter().map(|finding| finding.error).collect();
     if errors.is_empty() { Ok(()) } else { Err(ModelErrors(errors)) }
 }

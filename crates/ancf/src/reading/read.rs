@@ -59,8 +59,13 @@ impl Model {
     /// assert_eq!(errors[2].to_string(), "1:11: gravity: found an array of 2, expected an array of 3 numbers");
     /// ```
     pub fn parse(text: &str) -> Result<Self, ModelErrors> {
-        parse_checked(text, check_data)
+        read_document(Document::parse(text), text)
     }
+}
+
+/// Reads the model of a parsed text and checks it.
+pub(super) fn read_document(document: Document, text: &str) -> Result<Model, ModelErrors> {
+    checked(document, text, check_data)
 }
 
 /// Reads a TOML text of another type like a model file. `schema` states the form of the data, `rules` returns violated rules.
@@ -74,8 +79,8 @@ pub fn parse_as<T: DeserializeOwned>(
     schema: &'static Json,
     rules: impl FnOnce(&T) -> Vec<ModelError>,
 ) -> Result<T, ModelErrors> {
-    parse_checked(text, |data| {
-        let (check, corrected) = SchemaCheck::of(schema, &data);
+    checked(Document::parse(text), text, |data| {
+        let (check, corrected) = SchemaCheck::of(schema, data);
         let mut findings = check.findings;
         match T::deserialize(corrected) {
             Ok(value) if findings.is_empty() => {
@@ -90,12 +95,12 @@ pub fn parse_as<T: DeserializeOwned>(
     })
 }
 
-/// Parses a text, checks its data, and locates the findings in the text.
-fn parse_checked<T>(
+/// Checks the data of a parsed text, and locates the findings in the text.
+fn checked<T>(
+    mut document: Document,
     text: &str,
     check: impl FnOnce(Value) -> (Option<T>, Vec<Finding>),
 ) -> Result<T, ModelErrors> {
-    let mut document = Document::parse(text);
     let (value, findings) = check(Value::Table(std::mem::take(&mut document.data)));
     let is_hidden = |finding: &Finding| finding.absence || document.has_syntax_error(&finding.error.path);
     let findings = findings.into_iter().filter(|finding| document.errors.is_empty() || !is_hidden(finding));

@@ -87,16 +87,20 @@ impl AnalysisSequence {
     /// # Ok::<(), ancf::ModelErrors>(())
     /// ```
     pub fn parse(text: &str) -> Result<Option<Self>, ModelErrors> {
-        let mut document = Document::parse(text);
+        Self::of_document(&mut Document::parse(text), text)
+    }
+
+    /// Reads a parsed text; `None`, and the document unchanged, if it states a single analysis.
+    pub(super) fn of_document(document: &mut Document, text: &str) -> Result<Option<Self>, ModelErrors> {
         if !document.data.get("analysis").is_some_and(Value::is_array) {
             return Ok(None);
         }
         if !document.errors.is_empty() {
-            return Err(ModelErrors(document.errors));
+            return Err(ModelErrors(std::mem::take(&mut document.errors)));
         }
         let (stages, findings) = Source::new(std::mem::take(&mut document.data)).stages();
         let mut errors: Vec<ModelError> = Vec::new();
-        for error in findings.into_iter().map(|finding| located(finding, &document, text)) {
+        for error in findings.into_iter().map(|finding| located(finding, document, text)) {
             // Errors of parts of several analyses.
             if !errors.contains(&error) {
                 errors.push(error);

@@ -8,6 +8,7 @@ mod schema_check;
 mod syntax;
 mod units;
 mod unknown;
+mod valid_data;
 
 pub(crate) use address::{PathStep, path_of, path_steps};
 pub use generate::schema;

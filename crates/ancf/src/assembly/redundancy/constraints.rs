@@ -1,8 +1,8 @@
 use std::collections::{BTreeSet, HashMap, HashSet};
 use std::ops::Range;
 
-use ancf_solver::equations::{Dependence, Level, Local, State, Term, all_constraint_rows, dependences};
-use ancf_solver::factor::SparseVector;
+use ancf_solver::equations::{Level, Local, State, Term, all_constraint_rows};
+use ancf_solver::factor::{Dependence, SparseRow, dependences};
 
 use super::redundant::Redundant;
 use crate::joints::JointEquations;
@@ -48,7 +48,7 @@ impl<'a> Constraints<'a> {
     }
 
     /// Rows of Φ_q in a state, by multiplier.
-    fn rows(&self, s: &State) -> Vec<SparseVector> {
+    fn rows(&self, s: &State) -> Vec<SparseRow> {
         all_constraint_rows(self.terms.iter().copied(), self.multipliers, s)
     }
 
@@ -63,12 +63,12 @@ impl<'a> Constraints<'a> {
         let rows = if found.is_empty() { Vec::new() } else { self.rows(s) };
         let mut of: HashMap<usize, Vec<usize>> = HashMap::new();
         for (i, row) in rows.iter().enumerate() {
-            row.keys().for_each(|&c| of.entry(c).or_default().push(i));
+            row.iter().for_each(|&(c, _)| of.entry(c).or_default().push(i));
         }
         let mut open: Vec<usize> = found.iter().map(Dependence::row).collect();
         let mut reached: BTreeSet<usize> = open.iter().copied().collect();
         while let Some(i) = open.pop() {
-            for c in rows[i].keys() {
+            for (c, _) in &rows[i] {
                 let neighbours = of.remove(c).unwrap_or_default();
                 open.extend(neighbours.into_iter().filter(|&other| reached.insert(other)));
             }

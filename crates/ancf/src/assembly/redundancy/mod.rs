@@ -4,4 +4,5 @@ mod constraints;
 mod redundant;
 
 pub(super) use constraints::{APART, Constraints, Owner};
+pub(super) use redundant::Redundancy;
 pub use redundant::Redundant;

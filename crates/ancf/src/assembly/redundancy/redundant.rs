@@ -1,3 +1,4 @@
+use std::collections::BTreeSet;
 use std::fmt;
 
 /// Redundant joint equation. Its multiplier is shared with the equations on which it depends.
@@ -11,6 +12,16 @@ pub struct Redundant {
     pub equation: String,
     /// Names of the joints, then of the couplings, on which the equation depends.
     pub with: Vec<String>,
+}
+
+/// Redundancy of the joint equations in the reference state.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Redundancy {
+    pub(crate) equations: Vec<Redundant>,
+    /// Number of constraint equations minus their rank.
+    pub(crate) rank_deficiency: usize,
+    /// Multipliers that redundant equations do not determine.
+    pub(crate) undetermined: BTreeSet<usize>,
 }
 
 impl fmt::Display for Redundant {

@@ -14,6 +14,7 @@ use crate::initial::{GivenState, StartState};
 use crate::joints::{CustomJoint, Joint, JointKind};
 use crate::loads::{CustomLoad, Load, LoadKind};
 use crate::model::{Analysis, Model, Section, SectionObject, Statics};
+use crate::reading::ValidModel;
 use crate::results::{Column, counted_angles};
 use crate::units::{ChosenScales, Scales};
 
@@ -39,6 +40,18 @@ impl Simulation {
     /// All errors of the model.
     pub fn new(model: &Model) -> Result<Self, ModelErrors> {
         model.check()?;
+        Self::of_checked(model)
+    }
+
+    /// Scales and assembles a valid model.
+    ///
+    /// # Errors
+    /// Errors that depend on the assembled equations, such as gaps that cannot be closed.
+    pub fn of_valid(model: &ValidModel) -> Result<Self, ModelErrors> {
+        Self::of_checked(model)
+    }
+
+    fn of_checked(model: &Model) -> Result<Self, ModelErrors> {
         let chosen = model.scales();
         let mut scaled = model.scaled(&chosen.scales);
         let inputs = scaled.connect_inputs();

@@ -5,9 +5,8 @@ use std::ops::Range;
 use ancf::solver::dynamics::{SchemeCoefficients, TimeStepper, consistent_accelerations};
 use ancf::solver::equations::{
     Energy, EquationsOfMotion, Level, Local, LocalMatrix, State, System, Term, Weights, constraint_rows,
-    dependences,
 };
-use ancf::solver::factor::SparseVector;
+use ancf::solver::factor::{SparseRow, dependences};
 use ancf::solver::newton::{Newton, SolveFailure, StopRule};
 use nalgebra::Vector2;
 
@@ -162,8 +161,8 @@ fn linkage(cranks: usize, stretch: f64) -> System {
 }
 
 /// Rows of Φ_q by multiplier.
-fn rows(system: &System, s: &State) -> Vec<SparseVector> {
-    let mut rows = vec![SparseVector::new(); system.multipliers()];
+fn rows(system: &System, s: &State) -> Vec<SparseRow> {
+    let mut rows = vec![SparseRow::new(); system.multipliers()];
     for term in system.terms() {
         term.multipliers().zip(constraint_rows(term.as_ref(), s)).for_each(|(m, row)| rows[m] = row);
     }
@@ -223,7 +222,7 @@ fn redundant_multipliers_are_a_least_squares_solution() {
     // Weights of the solver: largest squared row entry per mass.
     let mass = |c: usize| 1.0 + (c / 2) as f64;
     let rows = rows(&system, &s);
-    let weight = |i: usize| rows[i].iter().map(|(&c, x)| x * x / mass(c)).fold(0.0, f64::max);
+    let weight = |i: usize| rows[i].iter().map(|&(c, x)| x * x / mass(c)).fold(0.0, f64::max);
     let (mut sum, mut size) = (0.0, 0.0_f64);
     for (&i, c) in &found[0].coefficients {
         sum += c * weight(i) * s.lambda[i];

@@ -28,7 +28,7 @@ fn rows(bodies: usize) -> Vec<SparseVector> {
 fn basis_vectors_satisfy_all_rows() {
     let (bodies, mut space) = (12, NullSpace::default());
     let rows = rows(bodies);
-    rows.iter().for_each(|row| space.add_row(row.clone(), 1e-9, |_| true));
+    rows.iter().for_each(|row| space.add_row(row.clone().into_iter().collect(), 1e-9, |_| true));
     let basis = space.basis(OWN * bodies);
     assert_eq!(basis.len(), OWN * bodies - 2 * bodies);
     for (free, vector) in &basis {

@@ -112,15 +112,32 @@ def mesh_from_meshio(mesh: MeshioMesh, scale: float = 1.0) -> ElementMesh:
     faces = [cell for block in mesh.cells if block.type in FACES for cell in block.data]
     if not faces:
         raise ValueError("cells: found no quad and no triangle")
+    if not (np.isfinite(scale) and scale > 0):
+        raise ValueError(f"scale: found {scale}, expected a number > 0")
     used = np.unique(np.concatenate(faces))
     number = {int(node): k for k, node in enumerate(used)}
     points = np.asarray(mesh.points, dtype=float)[used] * scale
     return ElementMesh(
         # Points of plane meshes may have two components.
         nodes=np.pad(points, ((0, 0), (0, 3 - points.shape[1]))),
-        elements=[[number[int(node)] for node in face] for face in faces],
+        elements=[[number[int(node)] for node in face] for face in _oriented(mesh)],
         groups=_groups(mesh, number) or None,
     )
+
+
+def _oriented(mesh: MeshioMesh) -> Iterable[Any]:
+    """Return the faces of a mesh, reversed in physical groups of Gmsh with a negative number.
+
+    Files of version 4.1 have faces in the orientation of their surface, and those of version 2.2 in that of the group.
+    meshio states the entities of the former only as sets.
+    """
+    physical = mesh.cell_data.get("gmsh:physical")
+    is_version_4 = any(name.startswith("gmsh:bounding_entities") for name in mesh.cell_sets)
+    for index, block in enumerate(mesh.cells):
+        if block.type in FACES:
+            numbers = physical[index] if physical is not None and is_version_4 else np.zeros(len(block.data))
+            for face, group in zip(block.data, numbers, strict=True):
+                yield face[::-1] if group < 0 else face
 
 
 def _groups(mesh: MeshioMesh, number: Mapping[int, int]) -> dict[str, MeshGroup]:

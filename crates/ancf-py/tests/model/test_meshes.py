@@ -213,3 +213,26 @@ def test_numbers_of_physical_groups_belong_to_a_dimension() -> None:
     assert [len(chain) for chain in groups["ends"].edges or []] == [2, 2]
     assert groups["plate"].elements == [0, 1]
     assert groups["outer"].elements == [2]
+
+
+@pytest.mark.parametrize("group", [3, -3])
+def test_surfaces_are_reversed_in_groups_of_the_opposite_orientation(group: int, tmp_path: Path) -> None:
+    """Files of version 4.1 have the elements of a surface in its own orientation."""
+    entities = f"4 0 1 0\n1 0 0 0 0\n2 1 0 0 0\n3 1 1 0 0\n4 0 1 0 0\n1 0 0 0 1 1 0 1 {group} 0"
+    nodes = "1 4 1 4\n2 1 0 4\n1\n2\n3\n4\n0 0 0\n1 0 0\n1 1 0\n0 1 0"
+    sections = {
+        "MeshFormat": "4.1 0 8",
+        "Entities": entities,
+        "Nodes": nodes,
+        "Elements": "1 1 1 1\n2 1 3 1\n1 1 2 3 4",
+    }
+    text = "".join(f"${name}\n{own}\n$End{name}\n" for name, own in sections.items())
+    (tmp_path / "plate.msh").write_text(text)
+    mesh = ancf.mesh_from_meshio(meshio.read(tmp_path / "plate.msh"))
+    assert np.asarray(mesh.elements).tolist() == [[0, 1, 2, 3] if group > 0 else [3, 2, 1, 0]]
+
+
+@pytest.mark.parametrize("scale", [0.0, -1.0, float("nan")])
+def test_scales_are_positive(scale: float) -> None:
+    with pytest.raises(ValueError, match="scale: found"):
+        ancf.mesh_from_meshio(mixed(), scale=scale)

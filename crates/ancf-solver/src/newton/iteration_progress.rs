@@ -3,6 +3,10 @@ use super::stopping::NewtonReport;
 /// Reduction of the energies of the increments beyond which they may be rounding errors.
 const EXHAUSTED: f64 = 1e-24;
 
+/// Increment of the coordinates, relative to their size, below which an iteration may end at rounding errors; smallest limit.
+const SETTLED: f64 = 0.1;
+const LEAST_LIMIT: f64 = 1e-6;
+
 /// Progress of one iteration.
 #[derive(Default)]
 pub(crate) struct IterationProgress {
@@ -41,6 +45,14 @@ impl IterationProgress {
     /// tangents stretches slender bodies.
     pub(crate) fn is_exhausted(&self) -> bool {
         self.last.zip(self.first).is_some_and(|(last, first)| last <= EXHAUSTED * first * first)
+    }
+
+    /// Returns true if the last increment is small compared with coordinates of this norm.
+    ///
+    /// A state with large increments is no equilibrium, even if its residual is a rounding error, which grows with the strains: a free
+    /// part of a body is first stretched without limit.
+    pub(crate) fn is_settled(&self, size: f64) -> bool {
+        self.report.increment <= (SETTLED * size).max(LEAST_LIMIT)
     }
 
     pub(crate) fn record(&mut self, energy: f64) {

@@ -267,9 +267,9 @@ impl Newton {
     ///
     /// The residual of an iterate has rounding errors in proportion to the increment that led to it. A slender body may
     /// have large increments with a residual below these errors, far from any equilibrium.
-    fn is_small(&self, eom: &dyn EquationsOfMotion, s: &State, last: Option<f64>) -> bool {
-        let is_motion = self.weights != Weights::STIFFNESS;
-        is_motion || last.is_some_and(|last| last <= SMALL * self.energy.max(eom.energy(s).largest()))
+    fn is_small(&self, eom: &dyn EquationsOfMotion, s: &State, progress: &IterationProgress) -> bool {
+        let is_small = |last| last <= SMALL * self.energy.max(eom.energy(s).largest());
+        self.weights != Weights::STIFFNESS || progress.last.is_some_and(is_small)
     }
 
     /// Returns the number of negative eigenvalues of the last factorised matrix in excess of the number of multipliers.
@@ -299,9 +299,9 @@ impl Newton {
             return ControlFlow::Break(Ok(report));
         }
         let is_last = report.iterations >= self.max_iterations;
-        let is_floor = progress.stagnant > 0
-            && self.is_small(eom, s, progress.last)
-            && self.at(eom, s).excess().1 <= FLOOR;
+        let is_settled = self.weights != Weights::STIFFNESS || progress.is_settled(norm(&s.q));
+        let is_floor =
+            progress.stagnant > 0 && self.is_small(eom, s, progress) && self.at(eom, s).excess().1 <= FLOOR;
         // Without an energy of a motion, increments may decrease without limit or vary randomly.
         let may_be_zero = progress.stagnant > 0 || is_last || progress.is_exhausted();
         let largest = self.energy;
@@ -319,7 +319,8 @@ impl Newton {
             let is_least = |least| gap >= 0.5 * least && gap <= REMAINING_GAP * progress.widest;
             progress.gap.is_none_or(is_least) || newton.at(eom, s).has_closed_gaps()
         };
-        if is_floor || (may_be_zero && (is_at_rest(self) || is_zero(self)) && is_closed(self)) {
+        let is_done = is_floor || (may_be_zero && (is_at_rest(self) || is_zero(self)) && is_closed(self));
+        if is_settled && is_done {
             return ControlFlow::Break(Ok(NewtonReport { floor: true, ..report }));
         }
         if progress.stagnant >= self.stagnation_limit {

@@ -9,8 +9,8 @@ mod locking;
 mod mechanism;
 mod plausibility;
 mod prestrained_modes;
+mod shells;
 mod summary;
-mod thick_shells;
 mod time_resolution;
 mod warnings;
 

@@ -7,7 +7,7 @@ use nalgebra::{DVector, Vector3};
 
 use super::ShearMedium;
 use super::element::{ShearElement, Shell18, Shell24};
-use super::face::{NODES, Shape};
+use super::faces::{NODES, Shape};
 use super::profile::tangents;
 use super::strains::{ShearTables, Vectors};
 use crate::shells::laminates::SectionField;

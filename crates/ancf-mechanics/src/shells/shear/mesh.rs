@@ -6,10 +6,10 @@ use nalgebra::{Matrix2, Vector3};
 use smallvec::SmallVec;
 
 use super::any_element::AnyElement;
-use super::face::{Face, NODES};
+use super::faces::MeshTopology;
+use super::faces::{Face, NODES};
 use super::profile::ShearMedium;
 use super::strains::FACE_VECTORS;
-use super::topology::MeshTopology;
 use crate::inertia::MassVisitor;
 use crate::kinematics::{
     Attachment, Directions, Marker, NodalVector, SectionFrame, VectorKind, gauss2, round_to_zero,

@@ -3,7 +3,7 @@
 mod any_element;
 mod directors;
 mod element;
-mod face;
+mod faces;
 mod law_element;
 mod membrane;
 mod mesh;
@@ -11,14 +11,12 @@ mod profile;
 mod strains;
 mod stress;
 mod surface;
-mod topology;
 
 pub use directors::{directors, stress_axis};
-pub use face::Face;
-pub(crate) use face::{NODES, Shape};
+pub use faces::{Face, MeshTopology, TopologyDefect};
+pub(crate) use faces::{NODES, Shape};
 pub use mesh::{ShearShellMesh, SurfacePlace};
 pub use profile::ShearMedium;
 pub use stress::ShearStressField;
 pub use surface::NearestPoint;
 pub(crate) use surface::along_offset_edge;
-pub use topology::{MeshTopology, TopologyDefect};

@@ -1,6 +1,6 @@
 use nalgebra::{DMatrix, DVector, Matrix2, Matrix3, SMatrix, Vector3};
 
-use super::face::Shape;
+use super::faces::Shape;
 use super::strains::{
     Fields, SURFACE, ShearTables, Strains, Vectors, Weighting, interpolate, sampled_shear,
     shear_interpolation,

@@ -2,7 +2,7 @@
 
 use nalgebra::{SMatrix, Vector3};
 
-use super::face::{NODES, Shape, ShapeValues};
+use super::faces::{NODES, Shape, ShapeValues};
 
 /// Largest number of nodal vectors of an element: r and d of each node.
 pub const FACE_VECTORS: usize = 2 * NODES;

@@ -3,7 +3,7 @@
 use ancf_solver::equations::State;
 use nalgebra::Vector3;
 
-use super::face::{NODES, Shape};
+use super::faces::{NODES, Shape};
 use super::mesh::{ShearShellMesh, SurfacePlace};
 use super::strains::SURFACE;
 use crate::shells::laminates::to_orthonormal;

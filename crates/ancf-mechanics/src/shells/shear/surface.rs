@@ -1,6 +1,6 @@
 use nalgebra::{Matrix2, Vector2, Vector3};
 
-use super::face::{Face, NODES, Shape};
+use super::faces::{Face, NODES, Shape};
 use super::mesh::SurfacePlace;
 use crate::kinematics::{OffsetValues, SurfaceValues, closest_offset_point, closest_point};
 

@@ -92,6 +92,16 @@ fn defect_finding(path: &str, shell: &ShearShell, defect: TopologyDefect) -> Fin
         TopologyDefect::Overlap { elements: [i, k] } => {
             finding(of_element(k), format!("the nodes of element {i}"), "each element once")
         }
+        TopologyDefect::Disconnected { elements: [i, k], near } => {
+            let near =
+                near.map(|[a, b]| format!("; {} is near {}", shell.describe_node(a), shell.describe_node(b)));
+            let found = format!(
+                "an element that no sequence of neighbouring elements connects with element {i}{}",
+                near.unwrap_or_default()
+            );
+            let expected = "one connected surface: parts share the nodes of their edges, and separate parts are bodies of their own";
+            finding(of_element(k), found, expected)
+        }
         TopologyDefect::Kink { elements: [i, k], angle } => {
             let found = format!("a kink of {} degrees to element {i}", number(angle.to_degrees().round()));
             let expected = format!(

@@ -8,6 +8,21 @@ use super::file_mesh::{FileElement, FileMesh};
 /// First words of a mesh file of Gmsh.
 pub(super) const START: &str = "$MeshFormat";
 
+/// Start of the comments that may precede them.
+const COMMENTS: &[u8] = b"$Comments";
+/// Byte order mark of UTF-8.
+const MARK: &[u8] = b"\xef\xbb\xbf";
+
+/// Returns the place of the first words of a file of Gmsh, after a byte order mark and comments; `None` for other files.
+pub(super) fn start(bytes: &[u8]) -> Option<usize> {
+    let own = bytes.strip_prefix(MARK).unwrap_or(bytes);
+    let start = bytes.len() - own.len();
+    if !own.starts_with(COMMENTS) {
+        return own.starts_with(START.as_bytes()).then_some(start);
+    }
+    own.windows(START.len()).position(|words| words == START.as_bytes()).map(|place| start + place)
+}
+
 /// Words of a section of a file.
 struct Words<'a>(SplitWhitespace<'a>, &'static str);
 
@@ -19,6 +34,19 @@ impl Words<'_> {
 
     fn list<T: std::str::FromStr>(&mut self, count: usize) -> Result<Vec<T>, String> {
         (0..count).map(|_| self.next()).collect()
+    }
+
+    /// Checks that the section ends here and has the stated number of items.
+    fn end(mut self, stated: usize, found: usize) -> Result<(), String> {
+        if stated != found {
+            return Err(format!("{found} items in the section {}, which states {stated}", self.1));
+        }
+        match self.0.next() {
+            None => Ok(()),
+            Some(word) => {
+                Err(format!("\"{word}\" after the {found} items that the section {} states", self.1))
+            }
+        }
     }
 }
 
@@ -36,7 +64,7 @@ fn words<'a>(text: &'a str, name: &'static str) -> Result<Words<'a>, String> {
 
 /// Reads a mesh file of version 2.2 or 4.1 as text. Errors are descriptions of what was found.
 pub(super) fn parse(text: &str) -> Result<FileMesh, String> {
-    let text = text.replace("\r\n", "\n");
+    let text: String = text.lines().flat_map(|line| [line.trim_end(), "\n"]).collect();
     let mut format = words(&text, "MeshFormat")?;
     let (version, binary): (String, u32) = (format.next()?, format.next()?);
     if binary != 0 {
@@ -73,7 +101,10 @@ fn names(text: &str) -> Result<Names, String> {
 fn nodes_2(text: &str) -> Result<Vec<(u64, [f64; 3])>, String> {
     let mut words = words(text, "Nodes")?;
     let count: usize = words.next()?;
-    (0..count).map(|_| Ok((words.next()?, [words.next()?, words.next()?, words.next()?]))).collect()
+    let read = |_| Ok((words.next()?, [words.next()?, words.next()?, words.next()?]));
+    let nodes: Vec<_> = (0..count).map(read).collect::<Result<_, String>>()?;
+    words.end(count, nodes.len())?;
+    Ok(nodes)
 }
 
 fn elements_2(text: &str, names: &Names) -> Result<Vec<FileElement>, String> {
@@ -90,12 +121,14 @@ fn elements_2(text: &str, names: &Names) -> Result<Vec<FileElement>, String> {
         let groups = group.map(|group| name(names, dimension, group)).into_iter().collect();
         Ok(FileElement { tag, dimension, groups, nodes })
     };
-    (0..count).map(|_| read()).collect()
+    let elements: Vec<_> = (0..count).map(|_| read()).collect::<Result<_, String>>()?;
+    words.end(count, elements.len())?;
+    Ok(elements)
 }
 
 fn nodes_4(text: &str) -> Result<Vec<(u64, [f64; 3])>, String> {
     let mut words = words(text, "Nodes")?;
-    let [blocks, _, _, _]: [u64; 4] = [words.next()?, words.next()?, words.next()?, words.next()?];
+    let [blocks, stated, _, _]: [usize; 4] = [words.next()?, words.next()?, words.next()?, words.next()?];
     let mut nodes = Vec::new();
     for _ in 0..blocks {
         let (dimension, _, parametric, count): (usize, i64, usize, usize) =
@@ -107,6 +140,7 @@ fn nodes_4(text: &str) -> Result<Vec<(u64, [f64; 3])>, String> {
             words.list::<f64>(if parametric == 0 { 0 } else { dimension })?;
         }
     }
+    words.end(stated, nodes.len())?;
     Ok(nodes)
 }
 
@@ -136,7 +170,7 @@ fn entities_4(text: &str) -> Result<HashMap<(u32, i64), Vec<i64>>, String> {
 
 fn elements_4(text: &str, names: &Names) -> Result<Vec<FileElement>, String> {
     let (groups, mut words) = (entities_4(text)?, words(text, "Elements")?);
-    let [blocks, _, _, _]: [u64; 4] = [words.next()?, words.next()?, words.next()?, words.next()?];
+    let [blocks, stated, _, _]: [usize; 4] = [words.next()?, words.next()?, words.next()?, words.next()?];
     let mut elements = Vec::new();
     for _ in 0..blocks {
         let (dimension, entity, kind, count): (u32, i64, u32, usize) =
@@ -154,6 +188,7 @@ fn elements_4(text: &str, names: &Names) -> Result<Vec<FileElement>, String> {
             elements.push(FileElement { tag, dimension, groups, nodes });
         }
     }
+    words.end(stated, elements.len())?;
     Ok(elements)
 }
 
@@ -210,6 +245,7 @@ mod tests {
         assert_eq!(mesh.groups["plate"], MeshGroup::Elements(vec![0, 1]));
         assert_eq!(parse(&version_4()).unwrap(), mesh);
         assert_eq!(parse(&version_4().replace('\n', "\r\n")).unwrap(), mesh);
+        assert_eq!(parse(&version_4().replace("$Nodes\n", "$Nodes  \n")).unwrap(), mesh);
     }
 
     /// Entities with the opposite orientation belong to their groups. Surfaces are reversed.
@@ -249,9 +285,22 @@ mod tests {
             ("3 3 2 3 1 1 2 5 4", "3 3 2 3 1 1 2 5 8", "node 8"),
             ("$EndElements", "", "no section $Elements"),
             ("4 3 2 3 1 2 3 6 5", "4 3 2 3 1 2 3 6", "too early"),
+            ("$Elements\n4", "$Elements\n3", "\"4\" after the 3 items"),
+            ("$Nodes\n7", "$Nodes\n6", "\"9\" after the 6 items"),
             ("4 3 2 3 1 2 3 6 5", "4 3 2 3 1 2 3 6 x", "\"x\""),
         ] {
             let error = parse(&version_2().replace(from, to)).unwrap_err();
+            assert!(error.contains(found), "{to}: {error}");
+        }
+        for (from, to, found) in [
+            (
+                "2 4 1\n2 1 3 2\n3 1 2 5 4\n4 2 3 6 5",
+                "2 4 1\n2 1 3 1\n3 1 2 5 4\n4 2 3 6 5",
+                "3 items in the section Elements, which states 4",
+            ),
+            ("$Nodes\n2 6", "$Nodes\n2 7", "6 items in the section Nodes, which states 7"),
+        ] {
+            let error = parse(&version_4().replace(from, to)).unwrap_err();
             assert!(error.contains(found), "{to}: {error}");
         }
     }

@@ -39,7 +39,7 @@ fn meshes(data: &mut Table) -> impl Iterator<Item = (String, &mut Table)> {
 /// # Errors
 /// One error for each file that cannot be read.
 pub(super) fn embed_meshes(mut text: String, folder: &Path) -> Result<String, ModelErrors> {
-    if !["msh", "vtk", "vtu", "vtp"].iter().any(|end| text.contains(&format!(".{end}"))) {
+    if !["mesh", "file"].iter().all(|word| text.contains(word)) {
         return Ok(text);
     }
     let mut document = Document::parse(&text);
@@ -86,8 +86,8 @@ fn read(path: &Path) -> Result<String, String> {
     if bytes.len() as u64 > MAX_BYTES {
         return Err("more than 100 MB".into());
     }
-    if bytes.starts_with(gmsh::START.as_bytes()) {
-        return String::from_utf8(bytes)
+    if let Some(start) = gmsh::start(&bytes) {
+        return String::from_utf8(bytes.split_off(start))
             .map_err(|_| "a binary file; export it as text (in Gmsh: Mesh.Binary = 0)".into());
     }
     if vtk::is_vtk(&bytes) {

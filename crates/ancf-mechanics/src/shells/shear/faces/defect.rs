@@ -1,17 +1,19 @@
-//! Topology and geometry of meshes of quadrilaterals and triangles.
-
 use std::collections::BTreeMap;
 
 use nalgebra::Vector3;
 
 use super::face::Face;
+use super::mesh_topology::MeshTopology;
+use super::near_nodes::near_nodes;
 
 /// Sine of the angle of two edges of an element at a corner below which it counts as degenerate.
 const DEGENERATE: f64 = 0.05;
 /// Largest number of edges at a node.
 const VALENCE: usize = 12;
-/// Distance of two nodes, relative to the shortest edge of the elements at them, below which they count as coincident.
+/// Distance of two nodes, relative to the shortest edge, below which they count as coincident.
 const COINCIDENT: f64 = 1e-6;
+/// Distance of two nodes of the boundary, relative to the shortest edge, below which there is a crack between them.
+const GAP: f64 = 0.01;
 
 /// Defect of a mesh. Nodes and elements are counted from 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -69,6 +71,13 @@ pub enum TopologyDefect {
         /// Nodes.
         nodes: [usize; 2],
     },
+    /// Elements that no sequence of neighbouring elements connects.
+    Disconnected {
+        /// Elements.
+        elements: [usize; 2],
+        /// Nodes of both parts that are much nearer than the shortest edge, if there are such.
+        near: Option<[usize; 2]>,
+    },
     /// Node of more edges than supported.
     Valence {
         /// Node.
@@ -83,69 +92,7 @@ pub enum TopologyDefect {
     },
 }
 
-/// Topology of a mesh.
-#[derive(Clone, Debug)]
-pub struct MeshTopology {
-    /// Elements of each edge, with the sense of the edge in the element. Nodes of an edge are in ascending order.
-    edges: BTreeMap<[usize; 2], Vec<(usize, bool)>>,
-    /// Elements at each node.
-    at_node: Vec<Vec<usize>>,
-}
-
 impl MeshTopology {
-    /// Creates the topology of elements with existing nodes.
-    pub fn new(nodes: usize, elements: &[Face]) -> Self {
-        let (mut edges, mut at_node) = (BTreeMap::<_, Vec<_>>::new(), vec![Vec::new(); nodes]);
-        for (k, element) in elements.iter().enumerate() {
-            for [from, to] in element.edges() {
-                edges.entry([from.min(to), from.max(to)]).or_default().push((k, from < to));
-                at_node[from].push(k);
-            }
-        }
-        Self { edges, at_node }
-    }
-
-    /// Returns the elements at a node.
-    pub fn at_node(&self, node: usize) -> &[usize] {
-        &self.at_node[node]
-    }
-
-    /// Returns the elements of the edge between two nodes; an empty slice if there is no such edge.
-    pub fn of_edge(&self, [a, b]: [usize; 2]) -> impl Iterator<Item = usize> + '_ {
-        self.edges.get(&[a.min(b), a.max(b)]).into_iter().flatten().map(|(element, _)| *element)
-    }
-
-    /// Returns true if a node is on the boundary of the mesh.
-    pub fn boundary(&self, nodes: usize) -> Vec<bool> {
-        let mut boundary = vec![false; nodes];
-        for ([a, b], of) in &self.edges {
-            if of.len() == 1 {
-                (boundary[*a], boundary[*b]) = (true, true);
-            }
-        }
-        boundary
-    }
-
-    /// Returns the edges, nodes in ascending order, with the elements at each and the sense of the edge in them.
-    pub fn edges(&self) -> impl Iterator<Item = ([usize; 2], &[(usize, bool)])> {
-        self.edges.iter().map(|(edge, of)| (*edge, of.as_slice()))
-    }
-
-    /// Returns the edges of the boundary.
-    pub fn boundary_edges(&self) -> impl Iterator<Item = [usize; 2]> + '_ {
-        self.edges.iter().filter(|(_, of)| of.len() == 1).map(|(edge, _)| *edge)
-    }
-
-    /// Returns the nodes that have an edge with each node.
-    pub fn neighbours(&self, nodes: usize) -> Vec<Vec<usize>> {
-        let mut neighbours = vec![Vec::new(); nodes];
-        for [a, b] in self.edges.keys() {
-            neighbours[*a].push(*b);
-            neighbours[*b].push(*a);
-        }
-        neighbours
-    }
-
     /// Returns the first defect of a mesh. `crease` is the largest angle of the normals of neighbouring elements, in radians.
     pub fn defect(nodes: &[Vector3<f64>], elements: &[Face], crease: f64) -> Option<TopologyDefect> {
         for (element, face) in elements.iter().enumerate() {
@@ -207,7 +154,7 @@ impl MeshTopology {
             }
         }
         for node in 0..nodes.len() {
-            if self.at_node[node].is_empty() {
+            if self.at_node(node).is_empty() {
                 return Some(TopologyDefect::Unused { node });
             }
             // An inner node has no open edge, and a node of a simple boundary has two.
@@ -218,23 +165,31 @@ impl MeshTopology {
                 return Some(TopologyDefect::Valence { node });
             }
         }
-        coincident(nodes, elements)
+        self.coincident(nodes).or_else(|| self.disconnected(nodes, elements.len()))
     }
-}
 
-/// Returns two nodes at the same point.
-fn coincident(nodes: &[Vector3<f64>], elements: &[Face]) -> Option<TopologyDefect> {
-    let edges = elements.iter().flat_map(Face::edges).map(|[a, b]| (nodes[a] - nodes[b]).norm());
-    let near = COINCIDENT * edges.fold(f64::INFINITY, f64::min);
-    let mut order: Vec<usize> = (0..nodes.len()).collect();
-    order.sort_by(|a, b| nodes[*a].x.total_cmp(&nodes[*b].x));
-    order.iter().enumerate().find_map(|(i, &a)| {
-        let after = order[i + 1..].iter().take_while(|b| nodes[**b].x - nodes[a].x <= near);
-        after
-            .copied()
-            .find(|&b| (nodes[a] - nodes[b]).norm() <= near)
-            .map(|b| TopologyDefect::Coincident { nodes: [a.min(b), a.max(b)] })
-    })
+    /// Returns two nodes at the same point.
+    fn coincident(&self, nodes: &[Vector3<f64>]) -> Option<TopologyDefect> {
+        let near = COINCIDENT * self.shortest_edge(nodes);
+        near_nodes(nodes, 0..nodes.len(), near).map(|nodes| TopologyDefect::Coincident { nodes })
+    }
+
+    fn disconnected(&self, nodes: &[Vector3<f64>], elements: usize) -> Option<TopologyDefect> {
+        let parts = self.parts(elements);
+        let other = parts.iter().position(|part| *part != 0)?;
+        Some(TopologyDefect::Disconnected { elements: [0, other], near: self.gap(nodes) })
+    }
+
+    /// Returns two nodes of the boundary that are much nearer than the shortest edge: the mesh has a crack there.
+    pub fn gap(&self, nodes: &[Vector3<f64>]) -> Option<[usize; 2]> {
+        let boundary = self.boundary(nodes.len());
+        near_nodes(nodes, (0..nodes.len()).filter(|node| boundary[*node]), GAP * self.shortest_edge(nodes))
+    }
+
+    /// Returns the length of the shortest edge.
+    pub fn shortest_edge(&self, nodes: &[Vector3<f64>]) -> f64 {
+        self.edges.keys().map(|[a, b]| (nodes[*a] - nodes[*b]).norm()).fold(f64::INFINITY, f64::min)
+    }
 }
 
 /// Returns the first corner of an element that is degenerate or not convex.

@@ -1,5 +1,5 @@
 use crate::errors::short;
-use crate::model::{Body, FieldShell as _, Model, Shell};
+use crate::model::{Body, FieldShell as _, Model, ShearShell, Shell};
 
 /// Thickness of an isotropic shell, relative to the longer side, above which the neglected transverse shear changes the deflection
 /// of a supported plate by more than about 1 %.
@@ -62,4 +62,26 @@ fn mass_warning(model: &Model, shell: &Shell) -> Option<String> {
             short(part)
         )
     })
+}
+
+/// Describes meshes of shear-deformable shells with a crack: nodes of the boundary that are much nearer to each other than the
+/// shortest edge, as those of unmerged nodes of two faces. One sentence each.
+pub(crate) fn gap_warnings(model: &Model) -> Vec<String> {
+    let warning = |shell: &ShearShell| {
+        let (topology, points) = (shell.topology(), shell.points());
+        let [a, b] = topology.gap(&points)?;
+        Some(format!(
+            "shell `{}`: {} and {} are {} of the shortest edge apart, on the boundary: the mesh has a crack there; merge the nodes if \
+             the surface is connected",
+            shell.name,
+            shell.describe_node(a),
+            shell.describe_node(b),
+            short((points[a] - points[b]).norm() / topology.shortest_edge(&points))
+        ))
+    };
+    let shells = model.bodies.iter().filter_map(|body| match body {
+        Body::ShearShell(shell) => Some(shell),
+        _ => None,
+    });
+    shells.filter_map(warning).collect()
 }

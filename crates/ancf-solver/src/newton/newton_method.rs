@@ -1,3 +1,4 @@
+use std::iter::repeat_n;
 use std::ops::ControlFlow;
 
 use serde::{Deserialize, Serialize};
@@ -8,7 +9,7 @@ use super::iteration_progress::IterationProgress;
 use super::line_search::{FullUpdate, LinearSolution, StateUpdate};
 use super::rounding_errors::Iterate;
 use super::rounding_floor::FLOOR;
-use super::stopping::{NewtonReport, StopRule};
+use super::stopping::{NewtonReport, REMAINDER, StopRule, remainder_target};
 use super::tangent::{NewtonTangent, TangentCheckpoint};
 use crate::equations::{EquationsOfMotion, State, Weights};
 use crate::factor::inertia;
@@ -44,14 +45,6 @@ pub(crate) struct NewtonCheckpoint {
     tangent: TangentCheckpoint,
 }
 
-/// Estimated remainder of the increments, relative to the tolerance, at which a reused tangent counts as converged.
-const REMAINDER: f64 = 1e-4;
-/// Estimated remainder of the increments, relative to the first increment. Far below a hundredth of the error of a step.
-const REDUCTION: f64 = 2e-5;
-/// Smallest target of the remainder, relative to the tolerance.
-const LEAST_REMAINDER: f64 = 1e-7;
-/// Smallest target of the remainder, relative to the size of the motion. It is at the rounding error.
-const ROUNDING: f64 = 1e-15;
 /// Energy of a system at rest, relative to that of rounding errors.
 const REST: f64 = 1e-20;
 /// Energy of an increment, relative to that of the state, below which the iteration may end at its rounding errors.
@@ -148,9 +141,7 @@ impl Newton {
     ///
     /// A system at rest without loads moves by its rounding errors, and its dampers dissipate their energy.
     pub(crate) fn rounding_energy(&self) -> f64 {
-        let matrix = &self.tangent.matrix;
-        let sum: f64 = (0..matrix.pattern().size()).map(|i| matrix.diagonal_of(i).abs()).sum();
-        sum / self.weights.q * (FLOOR * f64::EPSILON).powi(2)
+        self.tangent.error_energy(self.weights, repeat_n(FLOOR * f64::EPSILON, self.z.len()))
     }
 
     /// Returns true if all states so far and an energy have no motion: displacements below 1e-10 of their rounding errors.
@@ -355,9 +346,14 @@ impl Newton {
                 let (size, expected) = (energy.sqrt(), tolerance * largest.sqrt());
                 let first = *progress.first.get_or_insert(size);
                 self.first = first;
-                let least = (LEAST_REMAINDER * expected).max(ROUNDING * largest.sqrt());
-                let remainder = (REDUCTION * first).min(REMAINDER * expected).max(least);
+                let mut remainder = remainder_target(expected, first, largest.sqrt());
                 self.tangent.record(progress.rate(energy));
+                if is_motion && self.tangent.remainder(size) > remainder {
+                    // Increments of a system at rest are rounding errors of its coordinates, without a rate.
+                    let rounding = s.q.iter().map(|q| f64::EPSILON * q);
+                    let rounding = self.tangent.error_energy(self.weights, rounding).sqrt();
+                    remainder = remainder.max(rounding.min(REMAINDER * expected));
+                }
                 if size <= expected && self.tangent.remainder(size) <= remainder {
                     // In statics the energy does not depend on motions without forces, for any gaps of the constraints.
                     if (size > 0.0 && !is_static) || self.at(eom, s).has_closed_gaps() {

@@ -30,3 +30,19 @@ pub struct NewtonReport {
     /// True if the iteration ended at the rounding error of the residual.
     pub floor: bool,
 }
+
+/// Estimated remainder of the increments, relative to the tolerance, at which a reused tangent counts as converged.
+pub(super) const REMAINDER: f64 = 1e-4;
+/// Estimated remainder of the increments, relative to the first increment. Far below a hundredth of the error of a step.
+const REDUCTION: f64 = 2e-5;
+/// Smallest target of the remainder, relative to the tolerance.
+const LEAST_REMAINDER: f64 = 1e-7;
+/// Smallest target of the remainder, relative to the size of the motion. It is at the rounding error.
+const ROUNDING: f64 = 1e-15;
+
+/// Returns the remainder of the increments at which a reused tangent counts as converged, for increments that are `expected` to be
+/// small, a first increment and the size of the motion, as roots of energies.
+pub(super) fn remainder_target(expected: f64, first: f64, motion: f64) -> f64 {
+    let least = (LEAST_REMAINDER * expected).max(ROUNDING * motion);
+    (REDUCTION * first).min(REMAINDER * expected).max(least)
+}

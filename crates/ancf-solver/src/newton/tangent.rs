@@ -256,6 +256,12 @@ impl NewtonTangent {
         }
     }
 
+    /// Returns the energy Σ Kᵢᵢ eᵢ²/w_q of independent errors e of the unknowns.
+    pub(crate) fn error_energy(&self, w: Weights, errors: impl Iterator<Item = f64>) -> f64 {
+        let of = |(i, error): (usize, f64)| self.matrix.diagonal_of(i).abs() * error * error;
+        errors.enumerate().map(of).sum::<f64>() / w.q
+    }
+
     /// Chooses the tangent of the next iteration, given the target for the remainder relative to the last increment.
     ///
     /// Returns false if the current solution should be restarted.

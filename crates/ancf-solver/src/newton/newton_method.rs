@@ -348,7 +348,8 @@ impl Newton {
                 self.first = first;
                 let mut remainder = remainder_target(expected, first, largest.sqrt());
                 self.tangent.record(progress.rate(energy));
-                if is_motion && self.tangent.remainder(size) > remainder {
+                let left = self.tangent.remainder(size);
+                if is_motion && left > remainder && left <= REMAINDER * expected {
                     // Increments of a system at rest are rounding errors of its coordinates, without a rate.
                     let rounding = s.q.iter().map(|q| f64::EPSILON * q);
                     let rounding = self.tangent.error_energy(self.weights, rounding).sqrt();

@@ -146,16 +146,13 @@ impl RunArguments {
     }
 
     fn run_single(&self, model: ValidModel, text: String, folder: &Path) -> Result<Ended> {
-        let prepared = self.with_estimates(model).and_then(|model| {
-            let simulation = Simulation::of_valid(&model)?;
-            Ok((model, simulation))
+        let located = |errors| with_places(errors, &text);
+        let prepared = self.with_estimates(model).map_err(located).and_then(|model| {
+            let surfaces = surfaces_of(&model, &text, &self.file)?;
+            let simulation = Simulation::of_valid(&model).map_err(located)?;
+            let start = start_of(&model, &simulation, &text, &self.file)?;
+            Ok((model, simulation, surfaces, start))
         });
-        let prepared =
-            prepared.map_err(|errors| with_places(errors, &text)).and_then(|(model, simulation)| {
-                let surfaces = surfaces_of(&model, &text, &self.file)?;
-                let start = start_of(&model, &simulation, &text, &self.file)?;
-                Ok((model, simulation, surfaces, start))
-            });
         let (model, simulation, surfaces, start) = match prepared {
             Ok(prepared) => prepared,
             Err(errors) => return Ok(refuse(&errors, &self.file)),

@@ -109,7 +109,7 @@ def mesh_from_meshio(mesh: MeshioMesh, scale: float = 1.0) -> ElementMesh:
     other = sorted({block.type for block in mesh.cells} - FACES - {"vertex", "line"})
     if other:
         raise ValueError(f"cells: found {', '.join(other)}, expected quad and triangle, with line and vertex")
-    faces = [cell for block in mesh.cells if block.type in FACES for cell in block.data]
+    faces = list(_oriented(mesh))
     if not faces:
         raise ValueError("cells: found no quad and no triangle")
     if not (np.isfinite(scale) and scale > 0):
@@ -120,7 +120,7 @@ def mesh_from_meshio(mesh: MeshioMesh, scale: float = 1.0) -> ElementMesh:
     return ElementMesh(
         # Points of plane meshes may have two components.
         nodes=np.pad(points, ((0, 0), (0, 3 - points.shape[1]))),
-        elements=[[number[int(node)] for node in face] for face in _oriented(mesh)],
+        elements=[[number[int(node)] for node in face] for face in faces],
         groups=_groups(mesh, number) or None,
     )
 

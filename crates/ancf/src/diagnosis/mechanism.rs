@@ -165,12 +165,13 @@ impl RigidModel {
     /// Rows Φ_q for rigid motions, relative to the sum of magnitudes.
     fn rows(&self, constraints: Vec<SparseRow>) -> impl Iterator<Item = SparseRow> {
         let on_rigid = |of_term: SparseRow| {
-            let products = || {
-                of_term.iter().flat_map(|&(c, entry)| self.motions_of(c).map(move |(j, x)| (j, entry * x)))
-            };
-            let magnitude = sparse_row(products().map(|(j, x)| (j, x.abs())).collect());
+            let products: Vec<(usize, f64)> = of_term
+                .into_iter()
+                .flat_map(|(c, entry)| self.motions_of(c).map(move |(j, x)| (j, entry * x)))
+                .collect();
+            let magnitude = sparse_row(products.iter().map(|(j, x)| (*j, x.abs())).collect());
             let size = magnitude.iter().fold(0.0, |max: f64, (_, x)| max.max(*x));
-            let mut row = sparse_row(products().collect());
+            let mut row = sparse_row(products);
             row.iter_mut().for_each(|(_, x)| *x /= if size > 0.0 { size } else { 1.0 });
             row
         };

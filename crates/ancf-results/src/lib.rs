@@ -38,3 +38,4 @@ mod table;
 pub use folder::{Folder, SummaryFile, sequence_file, write_atomically, write_sequence};
 pub use read::{KILLED, OpenError, Results, RunStatus, StoredState, given_state};
 pub use record::{CheckpointError, CheckpointInterval, ExpectedSize, Recorder};
+pub use table::{checksum_placeholder, verify_checksums, write_checksums};

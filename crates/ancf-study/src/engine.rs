@@ -5,9 +5,8 @@ use std::fs;
 use std::path::PathBuf;
 
 use ancf::solver::newton::Interrupt;
-use toml::Value;
 
-use crate::cases::{CaseDesign, CaseRow, run_cases};
+use crate::cases::{BaseModel, CaseDesign, CaseRow, run_cases};
 use crate::part::StudyPart;
 use crate::source::StudySource;
 use crate::table::StudyError;
@@ -27,7 +26,7 @@ pub struct StudySettings {
 /// Study that is ready to run its missing cases.
 #[derive(Debug)]
 pub struct StudyRun {
-    base: Value,
+    base: BaseModel,
     results: StudyResults,
 }
 

@@ -28,7 +28,9 @@ mod source;
 mod statement;
 mod table;
 
-pub use cases::{CaseDesign, CaseOutcome, CaseRow, ObjectiveGauges, ParameterAxis, reduce_column, run_cases};
+pub use cases::{
+    BaseModel, CaseDesign, CaseOutcome, CaseRow, ObjectiveGauges, ParameterAxis, reduce_column, run_cases,
+};
 pub use engine::{StudyRun, StudySettings};
 pub use evaluation::{
     Convergence, LinearFit, ParameterSensitivity, RecordedColumn, Sensitivity, StudyRecord, convergence,

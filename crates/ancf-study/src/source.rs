@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use ancf::{Model, ModelError, ModelErrors};
 use toml::Value;
 
+use crate::cases::BaseModel;
 use crate::statement::{Study, read_failure};
 use crate::table::StudyError;
 
@@ -17,8 +18,8 @@ pub struct StudySource {
     pub study: Study,
     /// Text of the study file.
     pub text: String,
-    /// Data of the model file.
-    pub base: Value,
+    /// Model of the study.
+    pub base: BaseModel,
 }
 
 impl StudySource {
@@ -34,11 +35,17 @@ impl StudySource {
         let folder = file.parent().unwrap_or(Path::new(""));
         let study = Study::parse(&text, folder).map_err(invalid(file.to_owned()))?;
         let path = folder.join(&study.model);
-        Model::read(&path).map_err(invalid(path.clone()))?;
-        let base = Model::read_text(&path)
+        let model = Model::read(&path).map_err(invalid(path.clone()))?;
+        if model.starts_from().is_some() {
+            let expected = "no results folder: every case of a study starts from its model alone";
+            let error = ModelError::new("initial.from", "a results folder", expected);
+            return Err(invalid(path)(ModelErrors(vec![error])));
+        }
+        let data = Model::read_text(&path)
             .map_err(io::Error::other)
             .and_then(|text| text.parse::<toml::Table>().map(Value::Table).map_err(io::Error::other))
-            .map_err(|source| StudyError::File { action: "read", path, source })?;
-        Ok(Self { study, text, base })
+            .map_err(|source| StudyError::File { action: "read", path: path.clone(), source })?;
+        let folder = path.parent().unwrap_or(Path::new("")).to_owned();
+        Ok(Self { study, text, base: BaseModel { data, folder } })
     }
 }

@@ -7,7 +7,7 @@ use ancf::reading::AnalysisSequence;
 /// Errors of the models of a sequence that only their assembly shows.
 pub fn check_stages(sequence: &AnalysisSequence, text: &str) -> Result<(), ModelErrors> {
     let wrong = sequence.stages.iter().filter_map(|stage| {
-        let errors = Simulation::new(&stage.model).err()?;
+        let errors = Simulation::of_valid(&stage.model).err()?;
         Some(stage.with_places(errors, text).0)
     });
     let errors: Vec<_> = wrong.flatten().collect();

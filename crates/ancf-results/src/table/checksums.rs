@@ -33,13 +33,16 @@ pub(super) struct Checksums {
     footer: u64,
 }
 
-/// Returns the metadata of a file with a number of row groups, without checksums yet.
-pub(super) fn placeholder(groups: usize) -> KeyValue {
+/// Returns metadata of a Parquet file with a number of row groups, without checksums yet. They are the last key-value metadata.
+pub fn checksum_placeholder(groups: usize) -> KeyValue {
     KeyValue::new(KEY.to_owned(), METHOD.to_owned() + &"0".repeat(DIGITS * (1 + groups.max(1))))
 }
 
-/// Writes the checksums into a complete file with a [`placeholder`].
-pub(super) fn write(file: &File) -> io::Result<()> {
+/// Writes the checksums into a complete file with a [placeholder](checksum_placeholder). The file must be open for reading and writing.
+///
+/// # Errors
+/// If the file cannot be read or written, or has no placeholder for this number of row groups.
+pub fn write_checksums(file: &File) -> io::Result<()> {
     let metadata = ParquetMetaDataReader::new().parse_and_finish(file)?;
     let footer = Footer::read(file)?;
     let digits = footer.digits().ok_or_else(|| damaged("checksums are missing"))?;

@@ -8,7 +8,7 @@ use parquet::data_type::DoubleType;
 use parquet::file::properties::{EnabledStatistics, WriterProperties, WriterPropertiesPtr};
 use parquet::file::writer::SerializedFileWriter;
 
-use super::checksums;
+use super::checksums::{checksum_placeholder, write_checksums};
 use super::collected::Collected;
 use super::layout::Layout;
 use super::merge::{merge, split};
@@ -171,9 +171,9 @@ impl GrowingTable {
             column.close()?;
         }
         group.close()?;
-        writer.append_key_value_metadata(checksums::placeholder(1));
+        writer.append_key_value_metadata(checksum_placeholder(1));
         writer.into_inner()?.finish()?;
-        checksums::write(file)
+        write_checksums(file)
     }
 
     /// Merges the parts into one file.

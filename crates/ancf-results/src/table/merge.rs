@@ -11,7 +11,7 @@ use parquet::file::properties::WriterPropertiesPtr;
 use parquet::file::reader::{ChunkReader, Length};
 use parquet::file::writer::SerializedFileWriter;
 
-use super::checksums;
+use super::checksums::{self, checksum_placeholder, write_checksums};
 use super::collected::Collected;
 use super::layout::Layout;
 use super::parts::part;
@@ -36,9 +36,9 @@ pub(crate) fn merge(
             }
             groups += metadata.num_row_groups();
         }
-        writer.append_key_value_metadata(checksums::placeholder(groups));
+        writer.append_key_value_metadata(checksum_placeholder(groups));
         writer.into_inner()?.finish()?;
-        checksums::write(file)
+        write_checksums(file)
     };
     write_atomically(to, write).map_err(|error| with_path(&error, to))
 }
@@ -62,9 +62,9 @@ pub(crate) fn split(
             let mut writer =
                 SerializedFileWriter::new(Collected::new(&own), layout.schema()?, Arc::clone(properties))?;
             copy(&file, &metadata, group, &mut writer)?;
-            writer.append_key_value_metadata(checksums::placeholder(1));
+            writer.append_key_value_metadata(checksum_placeholder(1));
             writer.into_inner()?.finish()?;
-            checksums::write(&own)?;
+            write_checksums(&own)?;
         }
         rename(&unfinished, to)
     };

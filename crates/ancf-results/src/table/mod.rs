@@ -10,8 +10,10 @@ mod provenance;
 mod reader;
 mod state_layout;
 
+pub use checksums::{checksum_placeholder, write_checksums};
 pub(crate) use growing_table::GrowingTable;
 pub(crate) use layout::Layout;
 pub(crate) use provenance::{PROGRAM, Provenance};
+pub use reader::verify_checksums;
 pub(crate) use reader::{has_checksums, metadata_of_table, rows_of_part, verify};
 pub(crate) use state_layout::{numbers_of_state, state_layout};

@@ -47,15 +47,20 @@ pub(crate) fn has_checksums(path: &Path) -> io::Result<Option<bool>> {
 
 /// Verifies the checksums of a table, in parts or merged.
 pub(crate) fn verify(path: &Path) -> io::Result<()> {
-    let verify = |path: &Path| {
-        let reader = Reader::open(path)?;
-        (0..reader.groups()).try_for_each(|group| reader.verify(group))
-    };
     let mut number = 0;
-    while if_exists(verify(&part(path, number)))?.is_some() {
+    while if_exists(verify_checksums(&part(path, number)))?.is_some() {
         number += 1;
     }
-    if number > 0 { Ok(()) } else { if_exists(verify(path)).map(|_| ()) }
+    if number > 0 { Ok(()) } else { if_exists(verify_checksums(path)).map(|_| ()) }
+}
+
+/// Verifies the checksums of a Parquet file, if it has any. Files of earlier versions have none.
+///
+/// # Errors
+/// If the file cannot be read, or is damaged. The message contains its path.
+pub fn verify_checksums(path: &Path) -> io::Result<()> {
+    let reader = Reader::open(path)?;
+    (0..reader.groups()).try_for_each(|group| reader.verify(group))
 }
 
 /// Converts the absence of a file to `None`.

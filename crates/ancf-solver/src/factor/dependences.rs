@@ -1,7 +1,7 @@
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BinaryHeap};
 
-use super::null_space::{SparseRow, SparseVector};
+use super::sparse_row::{SparseRow, SparseVector, largest, position, subtract};
 
 /// Linear dependence of a row on earlier rows: Σ cᵢ rowᵢ = 0, where the last cᵢ belongs to the dependent row.
 #[derive(Clone, Debug, PartialEq)]
@@ -176,7 +176,7 @@ impl RowElimination {
         let Some(&(at, entry)) = candidates.min_by_key(|(j, _)| self.counts[*j]) else { return };
         let users = std::mem::take(&mut self.columns[at]);
         for i in users.into_iter().filter(|&i| i != row) {
-            let Some(place) = place_of(&self.rows[i], at).filter(|_| self.is_active[i]) else { continue };
+            let Some(place) = position(&self.rows[i], at).filter(|_| self.is_active[i]) else { continue };
             let factor = self.rows[i][place].1 / entry;
             self.subtract(i, factor, &pivot, at);
             self.subtracted[i].push((self.step, row, factor));
@@ -187,33 +187,23 @@ impl RowElimination {
     /// Subtracts a multiple of a pivot row from a row, whose entry in the column of the pivot vanishes.
     fn subtract(&mut self, i: usize, factor: f64, pivot: &SparseRow, at: usize) {
         let size = self.sizes[i].max(factor.abs() * largest(pivot));
-        let target = std::mem::take(&mut self.rows[i]);
-        self.difference.clear();
-        let mut own = target.iter().copied().peekable();
-        for &(j, x) in pivot {
-            while let Some(before) = own.next_if(|(k, _)| *k < j) {
-                self.difference.push(before);
-            }
-            let same = own.next_if(|(k, _)| *k == j);
-            let value = same.map_or(0.0, |(_, x)| x) - factor * x;
+        let target = self.rows[i].iter().copied();
+        let (counts, columns) = (&mut self.counts, &mut self.columns);
+        subtract(target, factor, pivot, &mut self.difference, |j, is_contained, value| {
             let remains = j != at && value.abs() > ROUNDING * size;
-            match (same.is_some(), remains) {
-                (true, false) => self.counts[j] -= 1,
+            match (is_contained, remains) {
+                (true, false) => counts[j] -= 1,
                 (false, true) => {
-                    self.counts[j] += 1;
-                    self.columns[j].push(i);
+                    counts[j] += 1;
+                    columns[j].push(i);
                 }
                 _ => {}
             }
-            if remains {
-                self.difference.push((j, value));
-            }
-        }
-        self.difference.extend(own);
-        if self.difference.len() != target.len() {
+            remains
+        });
+        if self.difference.len() != self.rows[i].len() {
             self.queue.push(Reverse((self.difference.len(), i)));
         }
-        self.rows[i] = target;
         std::mem::swap(&mut self.rows[i], &mut self.difference);
         self.sizes[i] = size;
     }
@@ -231,11 +221,6 @@ impl RowElimination {
         }
         sum
     }
-}
-
-/// Place of a column in a row.
-fn place_of(row: &SparseRow, column: usize) -> Option<usize> {
-    row.binary_search_by_key(&column, |(j, _)| *j).ok()
 }
 
 /// Reduces the dependences until their last rows are distinct.
@@ -258,8 +243,4 @@ fn latest(dependences: Vec<SparseVector>) -> Vec<Dependence> {
         }
     }
     found.into_values().map(|coefficients| Dependence { coefficients }).collect()
-}
-
-fn largest(row: &[(usize, f64)]) -> f64 {
-    row.iter().fold(0.0, |max: f64, (_, x)| max.max(x.abs()))
 }

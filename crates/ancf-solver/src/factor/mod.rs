@@ -9,11 +9,13 @@ mod null_space;
 mod products;
 mod scaled_lu;
 mod scales;
+mod sparse_row;
 
 pub use dependences::{Dependence, dependences};
 pub(crate) use factorisation::DETERMINED;
 pub use factorisation::{Factor, FactorHistory, SingularMatrix};
 pub use inertia::inertia;
-pub use null_space::{NullSpace, SparseRow, SparseVector, sparse_row};
+pub use null_space::NullSpace;
 pub(crate) use products::Products;
 pub(crate) use scaled_lu::GeneralLu;
+pub use sparse_row::{SparseRow, SparseVector, sparse_row};

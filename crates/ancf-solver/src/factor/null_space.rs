@@ -1,24 +1,6 @@
 use std::collections::BTreeMap;
 
-/// Sparse row or column: entries by index.
-pub type SparseVector = BTreeMap<usize, f64>;
-
-/// Entries of a sparse row by column, in ascending order of the columns.
-pub type SparseRow = Vec<(usize, f64)>;
-
-/// Sums entries by column.
-pub fn sparse_row(mut entries: Vec<(usize, f64)>) -> SparseRow {
-    // A stable sort keeps the order of the summands.
-    entries.sort_by_key(|(j, _)| *j);
-    entries.dedup_by(|(j, x), (before, sum)| {
-        let is_same = j == before;
-        if is_same {
-            *sum += *x;
-        }
-        is_same
-    });
-    entries
-}
+use super::sparse_row::{SparseRow, SparseVector, largest, position, subtract};
 
 /// Null space of a set of rows, by Gauss-Jordan elimination row by row.
 ///
@@ -48,7 +30,7 @@ impl NullSpace {
         for p in known {
             row = eliminated(&row, p, &self.pivots[&p], |_| {});
         }
-        let largest = row.iter().fold(0.0, |max: f64, (_, x)| max.max(x.abs()));
+        let largest = largest(&row);
         if largest <= tolerance {
             return;
         }
@@ -100,27 +82,17 @@ impl NullSpace {
     }
 }
 
-/// Place of an unknown in a row.
-fn position(row: &SparseRow, unknown: usize) -> Option<usize> {
-    row.binary_search_by_key(&unknown, |(j, _)| *j).ok()
-}
-
 /// Returns a row with x_p replaced by −Σ c x. `added` is called with the unknowns that the row did not contain.
 fn eliminated(row: &SparseRow, p: usize, pivot_row: &SparseRow, mut added: impl FnMut(usize)) -> SparseRow {
     let Some(place) = position(row, p) else { return row.clone() };
     let entry = row[place].1;
     let mut sum = Vec::with_capacity(row.len() + pivot_row.len());
-    let mut own = row.iter().copied().filter(|(j, _)| *j != p).peekable();
-    for &(j, c) in pivot_row {
-        while let Some(before) = own.next_if(|(k, _)| *k < j) {
-            sum.push(before);
-        }
-        let same = own.next_if(|(k, _)| *k == j);
-        if same.is_none() {
+    let others = row.iter().copied().filter(|(j, _)| *j != p);
+    subtract(others, entry, pivot_row, &mut sum, |j, is_contained, _| {
+        if !is_contained {
             added(j);
         }
-        sum.push((j, same.map_or(0.0, |(_, x)| x) - entry * c));
-    }
-    sum.extend(own);
+        true
+    });
     sum
 }

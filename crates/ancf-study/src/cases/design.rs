@@ -3,11 +3,12 @@
 use std::collections::BTreeMap;
 use std::hash::Hasher;
 
-use ancf::ModelError;
-use ancf::reading::substitute;
+use ancf::ModelErrors;
+use ancf::reading::{embed_mesh_files, substitute};
 use siphasher::sip128::{Hasher128, SipHasher24};
 use toml::Value;
 
+use super::base_model::BaseModel;
 use crate::statement::{Objectives, Parameter, Study, ValueRule};
 
 /// Cases of a study.
@@ -74,19 +75,21 @@ impl CaseDesign {
     /// Returns the data of the model in a case.
     ///
     /// # Errors
-    /// If a path has no target, which may happen after another parameter was set.
-    pub fn data(&self, base: &Value, case: usize) -> Result<Value, ModelError> {
-        let mut data = base.clone();
+    /// If a path has no target, which may happen after another parameter was set, or if a mesh file cannot be read.
+    pub fn data(&self, base: &BaseModel, case: usize) -> Result<Value, ModelErrors> {
+        let mut data = base.data.clone();
         for axis in &self.axes {
-            substitute(&mut data, &axis.path, axis.value(case).clone())?;
+            substitute(&mut data, &axis.path, axis.value(case).clone())
+                .map_err(|error| ModelErrors(vec![error]))?;
         }
+        embed_mesh_files(&mut data, &base.folder)?;
         Ok(data)
     }
 
-    /// Returns a hash of the model data of a case and of the objectives.
+    /// Returns a hash of the model data of a case, with the contents of mesh files, and of the objectives.
     ///
     /// The version of the program is not included. If another version gives other results, the user chooses another folder.
-    pub fn key(&self, base: &Value, objectives: &Objectives, case: usize) -> String {
+    pub fn key(&self, base: &BaseModel, objectives: &Objectives, case: usize) -> String {
         let mut data = self.data(base, case).unwrap_or_else(|error| Value::String(error.to_string()));
         if let Value::Table(table) = &mut data {
             table.remove("title");

@@ -8,8 +8,8 @@ use ancf::reading::ValidModel;
 use ancf::record::Every;
 use ancf::solver::newton::Interrupt;
 use ancf::{Model, Outcome, Simulation, Summary};
-use toml::Value;
 
+use super::base_model::BaseModel;
 use super::design::CaseDesign;
 use super::gauges::ObjectiveGauges;
 use crate::statement::Objectives;
@@ -71,16 +71,15 @@ impl CaseRow {
     pub fn run(
         case: usize,
         design: &CaseDesign,
-        base: &Value,
+        base: &BaseModel,
         objectives: &Objectives,
         interrupt: &Interrupt,
     ) -> Self {
         let clock = Instant::now();
         let row = catch_unwind(AssertUnwindSafe(|| {
-            let data = design.data(base, case).map_err(|error| error.to_string());
-            match data.and_then(|data| ValidModel::from_value(&data).map_err(|errors| errors.to_string())) {
+            match design.data(base, case).and_then(|data| ValidModel::from_value(&data)) {
                 Ok(model) => Self::simulate(&model, objectives, interrupt),
-                Err(message) => Self::without(CaseOutcome::Invalid, message, objectives),
+                Err(errors) => Self::without(CaseOutcome::Invalid, errors.to_string(), objectives),
             }
         }));
         // A panic in one case must not end the others.

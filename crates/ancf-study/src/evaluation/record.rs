@@ -1,14 +1,14 @@
 use std::collections::BTreeMap;
-use std::fs::{self, File};
+use std::fs;
 use std::path::{Path, PathBuf};
 
-use parquet::file::reader::{FileReader, SerializedFileReader};
+use parquet::file::reader::FileReader;
 use parquet::record::{Field, Row};
 use toml::{Table, Value};
 
 use crate::cases::CaseOutcome;
 use crate::statement::TABLE_COLUMNS;
-use crate::table::{StudyError, TableError, table_files};
+use crate::table::{StudyError, TableError, open_table, table_files};
 
 /// Table of a study as read from its folder.
 #[derive(Clone, Debug, Default)]
@@ -156,7 +156,7 @@ struct About {
 
 /// Reads the metadata and the rows of a table.
 fn rows_of(path: &Path) -> Result<(About, Vec<BTreeMap<String, Field>>), TableError> {
-    let reader = SerializedFileReader::new(File::open(path)?)?;
+    let reader = open_table(path)?;
     let file = reader.metadata().file_metadata();
     let entries = || file.key_value_metadata().into_iter().flatten();
     let entry = |key: &str| entries().find(|entry| entry.key == key).and_then(|entry| entry.value.clone());
@@ -214,6 +214,7 @@ fn word(row: &BTreeMap<String, Field>, name: &str) -> String {
 
 #[cfg(test)]
 mod tests {
+    use std::fs::File;
     use std::time::{Duration, SystemTime};
 
     use super::*;

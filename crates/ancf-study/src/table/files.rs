@@ -1,10 +1,13 @@
 //! Files of the tables in the folder of a study.
 
-use std::fs;
+use std::fs::{self, File};
 use std::io;
 use std::path::{Path, PathBuf};
 
-use super::error::StudyError;
+use ancf_results::verify_checksums;
+use parquet::file::reader::SerializedFileReader;
+
+use super::error::{StudyError, TableError};
 
 /// Returns the tables in a folder in alphabetical order; none if the folder does not exist.
 ///
@@ -26,4 +29,13 @@ pub fn table_files(folder: &Path) -> Result<Vec<PathBuf>, StudyError> {
     }
     files.sort();
     Ok(files)
+}
+
+/// Opens a table whose checksums are correct. Tables of the Python package and of earlier versions have none.
+///
+/// # Errors
+/// If the table cannot be read, or is damaged.
+pub(crate) fn open_table(path: &Path) -> Result<SerializedFileReader<File>, TableError> {
+    verify_checksums(path)?;
+    Ok(SerializedFileReader::new(File::open(path)?)?)
 }

@@ -9,6 +9,7 @@ mod results;
 mod write;
 
 pub use error::{StudyError, TableError};
+pub(crate) use files::open_table;
 pub use files::table_files;
 pub use parameter_type::ParameterType;
 pub use range::ObjectiveRange;

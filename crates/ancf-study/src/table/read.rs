@@ -1,14 +1,13 @@
 //! Reading of the tables of earlier runs.
 
 use std::collections::HashMap;
-use std::fs::File;
 use std::path::Path;
 
-use parquet::file::reader::{FileReader, SerializedFileReader};
+use parquet::file::reader::FileReader;
 use parquet::record::Field;
 
 use super::error::{StudyError, TableError};
-use super::files::table_files;
+use super::files::{open_table, table_files};
 use crate::cases::{CaseOutcome, CaseRow};
 use crate::statement::Objectives;
 
@@ -27,7 +26,7 @@ pub fn read_rows(folder: &Path, objectives: &Objectives) -> Result<HashMap<Strin
 }
 
 fn read(path: &Path, objectives: &Objectives, rows: &mut HashMap<String, CaseRow>) -> Result<(), TableError> {
-    for row in SerializedFileReader::new(File::open(path)?)?.get_row_iter(None)? {
+    for row in open_table(path)?.get_row_iter(None)? {
         let fields = row?.into_columns();
         let fields: HashMap<&str, &Field> = fields.iter().map(|(name, field)| (&**name, field)).collect();
         let Some((key, row)) = from_fields(&fields, objectives) else { continue };
@@ -78,6 +77,26 @@ mod tests {
             steps: None,
             iterations: None,
             seconds: 1.0,
+        }
+    }
+
+    /// A changed byte does not change the results.
+    #[test]
+    fn damaged_tables_are_rejected() {
+        let folder = tempfile::TempDir::new().unwrap();
+        let path = folder.path().join("cases.parquet");
+        let objectives = Objectives::new();
+        let table = StudyTable { axes: &[], objectives: &objectives, text: "checksums of crc32:0" };
+        table.write(&path, &[(0, "key", &row(CaseOutcome::Finished))]).unwrap();
+        let whole = std::fs::read(&path).unwrap();
+        let read = || read_rows(folder.path(), &objectives).map(|rows| format!("{rows:?}"));
+        let right = read().unwrap();
+        for at in (0..whole.len()).step_by(7) {
+            let mut bytes = whole.clone();
+            bytes[at] ^= 4;
+            std::fs::write(&path, &bytes).unwrap();
+            // A table with a damaged key of the checksums is one without them.
+            assert!(read().is_err() || read().unwrap() == right, "byte {at}");
         }
     }
 

@@ -5,7 +5,7 @@ use std::io;
 use std::path::Path;
 use std::sync::Arc;
 
-use ancf_results::write_atomically;
+use ancf_results::{checksum_placeholder, write_atomically, write_checksums};
 use parquet::basic::{Compression, LogicalType, Repetition, Type as Physical};
 use parquet::data_type::{BoolType, ByteArray, ByteArrayType, DataType, DoubleType, Int64Type};
 use parquet::file::metadata::KeyValue;
@@ -58,7 +58,11 @@ impl StudyTable<'_> {
         let properties = WriterProperties::builder()
             .set_created_by(program.into())
             .set_compression(Compression::SNAPPY)
-            .set_key_value_metadata(Some(vec![about("program", program), about("study", self.text)]))
+            .set_key_value_metadata(Some(vec![
+                about("program", program),
+                about("study", self.text),
+                checksum_placeholder(1),
+            ]))
             .build();
         let mut writer = SerializedFileWriter::new(file, Arc::new(schema), Arc::new(properties))?;
         let mut group = writer.next_row_group()?;
@@ -67,7 +71,7 @@ impl StudyTable<'_> {
         }
         group.close()?;
         writer.close()?;
-        Ok(())
+        Ok(write_checksums(file)?)
     }
 
     fn columns(&self, cases: &[(usize, &str, &CaseRow)]) -> Vec<(String, TableColumn)> {

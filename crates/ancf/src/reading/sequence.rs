@@ -7,8 +7,8 @@ use toml::{Table, Value};
 use super::check::check_data;
 use super::read::{located, with_places};
 use super::substitute::substitute;
+use super::valid_model::ValidModel;
 use crate::errors::{Finding, ModelError, ModelErrors, finding, listed, nearest, quoted};
-use crate::model::Model;
 use crate::schema::{Document, did_you_mean, found, join};
 
 /// Sequence of analyses of a model file.
@@ -26,7 +26,7 @@ pub struct SequenceStage {
     /// Name of the results folder within that of the sequence, such as `2-release`.
     pub folder: String,
     /// Model of this analysis, with the parts that exist in it. Its start time is that of motions of full duration.
-    pub model: Model,
+    pub model: ValidModel,
     number: usize,
     data: Table,
     places: Places,
@@ -177,7 +177,8 @@ impl Source {
                 finding.error.path = in_file(&finding.error.path, &places, number);
                 finding
             }));
-            let Some(model) = model else { continue };
+            // Used only if there are no findings.
+            let Some(model) = model.map(ValidModel) else { continue };
             time += model.analysis.dynamics().map_or(0.0, |own| own.duration);
             let (name, folder) = (self.names[number].clone(), self.folder(number));
             stages.push(SequenceStage { name, folder, model, number, data, places });

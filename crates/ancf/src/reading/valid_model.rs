@@ -2,11 +2,8 @@ use std::ops::Deref;
 
 use toml::Value;
 
-use super::read::read_document;
-use super::sequence::AnalysisSequence;
 use crate::errors::ModelErrors;
 use crate::model::Model;
-use crate::schema::Document;
 
 /// Model that satisfies the schema and all rules.
 ///
@@ -28,7 +25,7 @@ use crate::schema::Document;
 /// # Ok::<(), ancf::ModelErrors>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct ValidModel(Model);
+pub struct ValidModel(pub(super) Model);
 
 impl ValidModel {
     /// Checks a model.
@@ -67,28 +64,5 @@ impl Deref for ValidModel {
 
     fn deref(&self) -> &Model {
         &self.0
-    }
-}
-
-/// Content of a model file: a single analysis or several.
-#[derive(Clone, Debug)]
-pub enum ModelFile {
-    /// Model with a single analysis.
-    Single(Box<ValidModel>),
-    /// Models of a list of analyses.
-    Sequence(AnalysisSequence),
-}
-
-impl ModelFile {
-    /// Reads the text of a model file.
-    ///
-    /// # Errors
-    /// All errors of the model or of the models of all analyses, in the order of the text.
-    pub fn parse(text: &str) -> Result<Self, ModelErrors> {
-        let mut document = Document::parse(text);
-        match AnalysisSequence::of_document(&mut document, text)? {
-            Some(sequence) => Ok(Self::Sequence(sequence)),
-            None => Ok(Self::Single(Box::new(ValidModel(read_document(document, text)?)))),
-        }
     }
 }

@@ -2,8 +2,7 @@
 
 use nalgebra::{Matrix2, Matrix2x3, Vector3};
 
-use super::faces::Face;
-use super::faces::MeshTopology;
+use super::faces::{Face, MeshTopology};
 
 /// Singular values, relative to the largest one, below which the elements around a node have no extent in a direction.
 const FLAT: f64 = 1e-3;

@@ -6,8 +6,7 @@ use nalgebra::{Matrix2, Vector3};
 use smallvec::SmallVec;
 
 use super::any_element::AnyElement;
-use super::faces::MeshTopology;
-use super::faces::{Face, NODES};
+use super::faces::{Face, MeshTopology, NODES};
 use super::profile::ShearMedium;
 use super::strains::FACE_VECTORS;
 use crate::inertia::MassVisitor;

@@ -46,19 +46,11 @@ pub(super) fn embed_meshes(mut text: String, folder: &Path) -> Result<String, Mo
     let mut data = std::mem::take(&mut document.data);
     let (mut errors, mut replaced) = (Vec::new(), Vec::new());
     for (path, mesh) in meshes(&mut data) {
-        let Some(Value::String(file)) = mesh.get("file") else { continue };
-        if is_content(file) {
-            continue;
-        }
+        let Some(read) = mesh_file(&path, mesh, folder) else { continue };
         let bytes = document.find(&format!("{path}.file"), false);
-        match read(&folder.join(file)) {
-            Ok(mesh) => replaced.push((bytes, mesh)),
-            Err(found) => {
-                let found = format!("{}: {found}", quoted(file));
-                let expected = "a mesh file of Gmsh as text or of VTK";
-                let error = ModelError::new(format!("{path}.file"), found, expected);
-                errors.push(ModelError { at: Some(position(&text, bytes)), ..error });
-            }
+        match read {
+            Ok(content) => replaced.push((bytes, content)),
+            Err(error) => errors.push(ModelError { at: Some(position(&text, bytes)), ..error }),
         }
     }
     if !errors.is_empty() {
@@ -70,6 +62,31 @@ pub(super) fn embed_meshes(mut text: String, folder: &Path) -> Result<String, Mo
         text.replace_range(bytes, &in_a_line(&mesh));
     }
     Ok(text)
+}
+
+/// Replaces the paths of mesh files in the data of a model by the contents of the files, relative to a folder.
+///
+/// # Errors
+/// One error for each file that cannot be read.
+pub fn embed_mesh_files(data: &mut Value, folder: &Path) -> Result<(), ModelErrors> {
+    let mut errors = Vec::new();
+    for (path, mesh) in data.as_table_mut().into_iter().flat_map(meshes) {
+        match mesh_file(&path, mesh, folder) {
+            Some(Ok(content)) => _ = mesh.insert("file".into(), Value::String(content)),
+            Some(Err(error)) => errors.push(error),
+            None => {}
+        }
+    }
+    if errors.is_empty() { Ok(()) } else { Err(ModelErrors(errors)) }
+}
+
+/// Reads the file of a mesh with a path in a model. `None` for a mesh without one.
+fn mesh_file(path: &str, mesh: &Table, folder: &Path) -> Option<Result<String, ModelError>> {
+    let file = mesh.get("file")?.as_str().filter(|file| !is_content(file))?;
+    Some(read(&folder.join(file)).map_err(|found| {
+        let found = format!("{}: {found}", quoted(file));
+        ModelError::new(format!("{path}.file"), found, "a mesh file of Gmsh as text or of VTK")
+    }))
 }
 
 /// Returns true for the content of a mesh file in place of its path.

@@ -1,7 +1,7 @@
 //! Shear-deformable shells in whole models: patch tests, joints, refusals.
 
 use ancf::record::Series;
-use ancf::{Model, ModelErrors, simulate};
+use ancf::{Model, simulate};
 
 use crate::common::assertions::assert_near;
 
@@ -94,28 +94,30 @@ fn wrong_meshes_are_rejected_with_their_element() {
     }
 }
 
-/// Nodes of a plate of two squares, of which the second one is shifted along x by a gap, and its elements.
-fn with_gap(gap: f64, elements: &str) -> Result<Model, ModelErrors> {
-    let nodes = format!(
-        "nodes = [[0, 0, 0], [1, 0, 0], [2, 0, 0], [0, 1, 0], [1, 1, 0], [2, 1, 0], [{0:?}, 1, 0], [{0:?}, 0, 0]]",
-        1.0 + gap
-    );
-    let own = STRIP.lines().find(|line| line.trim_start().starts_with("nodes =")).unwrap();
-    let text = STRIP.replace(own, &nodes).replace("elements = [[0, 1, 4, 3], [1, 2, 5, 4]]", elements);
-    Model::parse(&text)
+/// Text of the strip with more nodes and other elements.
+fn strip_with(more_nodes: &str, elements: &str) -> String {
+    let corners = "[0, 1, 0], [1, 1, 0], [2, 1, 0]";
+    STRIP
+        .replace(corners, &format!("{corners}, {more_nodes}"))
+        .replace("[[0, 1, 4, 3], [1, 2, 5, 4]]", elements)
 }
 
 /// A part without connection is free: statics stretched it without limit, and the other part had wrong stresses.
 #[test]
 fn parts_of_a_mesh_are_connected() {
+    // The second square is shifted along x.
+    let apart = |gap: f64| {
+        let nodes = format!("[{0:?}, 1, 0], [{0:?}, 0, 0]", 1.0 + gap);
+        Model::parse(&strip_with(&nodes, "[[0, 1, 4, 3], [7, 2, 5, 6]]")).unwrap_err()
+    };
     for (gap, hint) in [(1e-5, "is near node"), (0.3, "that no sequence of neighbouring elements connects")] {
-        let errors = with_gap(gap, "elements = [[0, 1, 4, 3], [7, 2, 5, 6]]").unwrap_err();
+        let errors = apart(gap);
         assert_eq!(errors.0.len(), 1, "{errors}");
         assert_eq!(errors.0[0].path, "bodies[0].mesh.elements[1]");
         assert!(errors.to_string().contains(hint), "{errors}");
     }
     // The same point within a rounding error.
-    let errors = with_gap(1e-9, "elements = [[0, 1, 4, 3], [7, 2, 5, 6]]").unwrap_err();
+    let errors = apart(1e-9);
     assert!(errors.to_string().contains("the point of node"), "{errors}");
 }
 
@@ -124,13 +126,8 @@ fn parts_of_a_mesh_are_connected() {
 fn cracks_are_warnings() {
     let cracks = |gap: f64| {
         // Both squares share the node 1 and their edge to a third square below.
-        let nodes = format!(
-            "nodes = [[0, 0, 0], [1, 0, 0], [2, 0, 0], [0, 1, 0], [1, 1, 0], [2, 1, 0], [{:?}, 1, 0], [0, -1, 0], [1, -1, 0], [2, -1, 0]]",
-            1.0 + gap
-        );
-        let elements = "elements = [[0, 1, 4, 3], [1, 2, 5, 6], [7, 8, 1, 0], [8, 9, 2, 1]]";
-        let own = STRIP.lines().find(|line| line.trim_start().starts_with("nodes =")).unwrap();
-        let text = STRIP.replace(own, &nodes).replace("elements = [[0, 1, 4, 3], [1, 2, 5, 4]]", elements);
+        let nodes = format!("[{:?}, 1, 0], [0, -1, 0], [1, -1, 0], [2, -1, 0]", 1.0 + gap);
+        let text = strip_with(&nodes, "[[0, 1, 4, 3], [1, 2, 5, 6], [7, 8, 1, 0], [8, 9, 2, 1]]");
         let warnings = Model::parse(&text).unwrap().diagnose().unwrap().warnings;
         warnings.iter().filter(|warning| warning.contains("crack")).count()
     };

@@ -1,6 +1,8 @@
 //! All tests of the workspace.
 
 use std::process::Command;
+use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::thread;
 use std::time::{Duration, Instant};
 
 use super::release::container;
@@ -11,15 +13,15 @@ use crate::system::shell::{Done, cargo, say};
 
 /// Runs all tests, the quick checks first, and prints the time of each part. Stops at the first failure.
 pub(crate) fn all() -> Done {
-    let mut timer = PartTimer::default();
-    let done = parts(&mut timer);
+    let timer = PartTimer::default();
+    let done = parts(&timer);
     timer.print();
     done?;
     say("all tests passed");
     Ok(())
 }
 
-fn parts(timer: &mut PartTimer) -> Done {
+fn parts(timer: &PartTimer) -> Done {
     component("fmt", "rustfmt")?;
     component("clippy", "clippy")?;
     timer.run("lock files", dependencies::locked)?;
@@ -30,36 +32,56 @@ fn parts(timer: &mut PartTimer) -> Done {
     let lints = ["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"];
     timer.run("lints", || cargo("lints", &lints, &[]))?;
     timer.run("test programs", || cargo("test programs", &["test", "--workspace", "--no-run"], &[]))?;
-    timer.run("tests", || cargo("tests", &["test", "--workspace"], &[]))?;
-    let documentation = ["doc", "--workspace", "--no-deps"];
-    let warnings = [("RUSTDOCFLAGS", "-D warnings")];
-    timer.run("documentation", || cargo("documentation", &documentation, &warnings))?;
-    timer.run("instruction counts", || benchmark::instructions(&[]))?;
-    timer.run("dependencies", dependencies::deny)?;
-    timer.run("playground", playground::build)?;
+    let debug = || {
+        timer.run("tests", || cargo("tests", &["test", "--workspace"], &[]))?;
+        let documentation = ["doc", "--workspace", "--no-deps"];
+        timer.run("documentation", || cargo("documentation", &documentation, &[("RUSTDOCFLAGS", "-D warnings")]))
+    };
+    // Counting instructions and linking the module occupy one core each, with programs of another profile.
+    let release = || {
+        timer.run("instruction counts", || benchmark::instructions(&[]))?;
+        timer.run("dependencies", dependencies::deny)?;
+        timer.run("playground", playground::build)
+    };
+    side_by_side(debug, release)?;
     timer.run("viewer", viewer::test)?;
     timer.run("Python", package::test)?;
     timer.run("FMI", importers::test)
 }
 
-/// Wall-clock time of each part of the tests.
+/// Runs two series of parts at the same time, each to its end or its first failure. Returns the first failure.
+fn side_by_side(first: impl FnOnce() -> Done, second: impl FnOnce() -> Done + Send) -> Done {
+    thread::scope(|scope| {
+        let second = scope.spawn(second);
+        let first = first();
+        let second = second.join().unwrap_or_else(|_| Err("a part of the tests panicked".to_owned()));
+        first.and(second)
+    })
+}
+
+/// Wall-clock time of each part of the tests. Parts may overlap.
 #[derive(Default)]
-struct PartTimer(Vec<(&'static str, Duration)>);
+struct PartTimer(Mutex<Vec<(&'static str, Duration)>>);
 
 impl PartTimer {
     /// Runs a part and records its time, also if it fails.
-    fn run(&mut self, name: &'static str, part: impl FnOnce() -> Done) -> Done {
+    fn run(&self, name: &'static str, part: impl FnOnce() -> Done) -> Done {
         let start = Instant::now();
         let done = part();
-        self.0.push((name, start.elapsed()));
+        self.parts().push((name, start.elapsed()));
         done
+    }
+
+    fn parts(&self) -> MutexGuard<'_, Vec<(&'static str, Duration)>> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// Prints the time of each part and their sum.
     fn print(&self) {
         say("\n== time of each part");
-        let sum = self.0.iter().map(|(_, time)| *time).sum();
-        for (name, time) in self.0.iter().chain([&("sum", sum)]) {
+        let parts = self.parts();
+        let sum = parts.iter().map(|(_, time)| *time).sum();
+        for (name, time) in parts.iter().chain([&("sum", sum)]) {
             say(&format!("{:7.0} s  {name}", time.as_secs_f64()));
         }
     }

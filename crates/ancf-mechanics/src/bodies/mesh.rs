@@ -201,6 +201,11 @@ impl BeamMesh {
         self.node_kinds().contains(&VectorKind::Y)
     }
 
+    /// Returns true if the elements have a middle node.
+    pub(super) fn has_middle_nodes(&self) -> bool {
+        self.stride() > self.node_kinds().len()
+    }
+
     /// Returns the number of coordinates.
     pub fn coordinates(&self) -> usize {
         3 * self.reference.len()

@@ -2,9 +2,9 @@ use ancf_solver::equations::State;
 use nalgebra::{Matrix3, Vector3};
 
 use super::mesh::{BeamMesh, StressLaw};
-use crate::kinematics::VectorKind;
+use crate::kinematics::{VectorKind, gauss2};
 use crate::sections::{
-    DIRECTORS, Directors, STRAINS, Strains, all_strains, linked_strain_terms, local_strain,
+    DD, DE, DIRECTORS, Directors, EE, STRAINS, Strains, all_strains, linked_strain_terms, local_strain,
 };
 
 /// Strain in a section of a flexible body.
@@ -58,8 +58,12 @@ impl BeamMesh {
 
     /// Returns the strain in the section at an arc length.
     pub fn section_strain(&self, state: &State, s: f64) -> SectionStrain {
-        let (g0, u, xi) = self.directors(state, s);
+        let (element, xi) = self.locate(s);
+        let [g0, u] = self.directors(state, element, xi);
         let mut products = all_strains(&g0, &u);
+        if self.has_middle_nodes() {
+            self.interpolate_from_gauss_points(state, element, xi, &mut products);
+        }
         if self.elasticity == (StressLaw::Rod { linked: true }) {
             for (strain, added, factor) in linked_strain_terms(xi, self.length) {
                 products[strain] += factor * products[added];
@@ -68,7 +72,6 @@ impl BeamMesh {
         let is_line = self.elasticity == StressLaw::Line;
         let stretch = is_line.then(|| {
             let strain = (g0[0] + u[0]).norm() / g0[0].norm() - 1.0;
-            let (element, xi) = self.locate(s);
             [strain, self.prestrain(state, element, xi).0]
         });
         let prescribed = if is_line { [0.0; STRAINS] } else { self.section_prestrains(state, s, &g0) };
@@ -95,9 +98,24 @@ impl BeamMesh {
         }
     }
 
-    /// Returns the reference directors at an arc length, their increments, and ξ.
-    fn directors(&self, state: &State, s: f64) -> (Directors, Directors, f64) {
-        let (element, xi) = self.locate(s);
+    /// Replaces the strains of three-node elements by linear ones with the values at the two Gauss points, where their energy is integrated.
+    ///
+    /// Elsewhere the axial strain also contains the difference between the parabola of the element and its curved axis, which
+    /// is larger than the strain of the load. The deformation of the section has its own points at the nodes.
+    fn interpolate_from_gauss_points(&self, state: &State, element: usize, xi: f64, products: &mut Strains) {
+        let points = gauss2().map(|(at, _)| at);
+        let [first, second] = points.map(|at| {
+            let [g0, u] = self.directors(state, element, at);
+            all_strains(&g0, &u)
+        });
+        let part = (xi - points[0]) / (points[1] - points[0]);
+        for k in (0..STRAINS).filter(|k| ![DD, DE, EE].contains(k)) {
+            products[k] = first[k] + part * (second[k] - first[k]);
+        }
+    }
+
+    /// Returns the reference directors at ξ of an element, and their increments.
+    fn directors(&self, state: &State, element: usize, xi: f64) -> [Directors; 2] {
         let offset = element * self.stride();
         let base = [self.reference[offset], self.displacement(state, offset)];
         let (mut g0, mut u) = ([Vector3::zeros(); DIRECTORS], [Vector3::zeros(); DIRECTORS]);
@@ -111,6 +129,6 @@ impl BeamMesh {
                 u[director] += vectors[1] * weight;
             }
         }
-        (g0, u, xi)
+        [g0, u]
     }
 }

@@ -74,7 +74,12 @@ impl<E: EquationsOfMotion> TimeStepper<'_, E> {
     /// # Errors
     /// If the mass matrix with the constraints is singular. The state is then unchanged.
     pub fn restart(&mut self, t: f64) -> Result<(), SolveError> {
-        self.restart_after(0.0, t)
+        let before = (self.motion.h > 0.0).then(|| self.motion.state.a.clone());
+        self.restart_after(0.0, t)?;
+        if before.is_some() {
+            self.motion.before_jump = before;
+        }
+        Ok(())
     }
 
     /// Moves the state to a time at a distance that is too small for a step, and computes consistent accelerations and multipliers.
@@ -96,7 +101,7 @@ impl<E: EquationsOfMotion> TimeStepper<'_, E> {
     /// As [`restart`](Self::restart).
     pub fn renew_accelerations(&mut self) -> Result<(), SolveError> {
         let t = self.motion.state.t;
-        if self.motion.reference.is_none() { self.restart(t) } else { self.continue_after(0.0, t) }
+        if self.motion.reference.is_none() { self.restart_after(0.0, t) } else { self.continue_after(0.0, t) }
     }
 
     /// Restarts at a time t after a Taylor series over the distance h.

@@ -1,6 +1,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::scheme::SchemeCoefficients;
+use super::start::StartValues;
 use super::step_change::Auxiliary;
 use crate::equations::{Power, State};
 use crate::vectors::{copy, for_each_chunk, sum_of_chunks};
@@ -63,20 +64,22 @@ impl DampingForces {
 
     /// Returns the work ΔW of a step between two states, and sets the auxiliary forces at its end.
     ///
-    /// `start` has the auxiliary forces of a first step. For other steps `ratio` is the ratio to the step size of φ.
+    /// `start` has the forces of a first step. For other steps `ratio` is the ratio to the step size of φ.
     pub(crate) fn work(
         &self,
         scheme: SchemeCoefficients,
         (before, now): (&State, &State),
-        (start, ratio): (Option<&[f64]>, f64),
+        (start, ratio): (Option<&StartValues>, f64),
         attempt: &mut DampingAttempt,
     ) -> f64 {
         let h = now.t - before.t;
-        let first = |i: usize| start.map_or_else(|| self.rescaled(i, ratio), |start| start[i]);
+        let first =
+            |i: usize| start.map_or_else(|| self.rescaled(i, ratio), |start| start.auxiliary_damping[i]);
+        let before_force = start.map_or(&self.force[..], |start| &start.damping);
         let DampingAttempt { force, auxiliary } = attempt;
         for_each_chunk(auxiliary, |range, auxiliary| {
             for (last, i) in auxiliary.iter_mut().zip(range) {
-                *last = scheme.auxiliary(first(i), self.force[i], force[i]);
+                *last = scheme.auxiliary(first(i), before_force[i], force[i]);
             }
         });
         let work = |i: usize| {

@@ -8,6 +8,7 @@ use super::energy_guard::EnergyRecord;
 use super::errors::MotionErrors;
 use super::predictor::Predictor;
 use super::scheme::SchemeCoefficients;
+use super::start::StartValues;
 use super::step_change::{StepMemory, StepReference};
 use super::step_report::StepReport;
 use crate::equations::{ActiveGroup, Energy, EquationsOfMotion, Power, State};
@@ -28,6 +29,8 @@ pub(crate) struct IntegrationState {
     pub(crate) reference: Option<Box<StepReference>>,
     /// True if the accelerations are consistent and there is no previous step.
     pub(crate) at_start: bool,
+    /// Accelerations before the jump at a start within the motion.
+    pub(crate) before_jump: Option<Vec<f64>>,
     /// Number of halvings at the start of the next step: one less than in the last step.
     pub(crate) halvings: u32,
     /// Divided step that is not complete.
@@ -84,6 +87,7 @@ impl IntegrationState {
             adapted_h: 0.0,
             reference: None,
             at_start: false,
+            before_jump: None,
             halvings: 0,
             divided: None,
             predictor: Predictor::new(start.q.len() + start.lambda.len()),
@@ -99,13 +103,13 @@ impl IntegrationState {
 
     /// Computes powers at the end of an attempt, and the work and dissipation with the impulses of the scheme.
     ///
-    /// `start` are the auxiliary damping forces of a first step.
+    /// `start` are the values of a first step.
     pub(crate) fn exchange_of_step(
         &self,
         eom: &impl EquationsOfMotion,
         scheme: SchemeCoefficients,
         before: &State,
-        start: &[f64],
+        start: &StartValues,
         damping: &mut DampingAttempt,
     ) -> (PowerIntegral, Power) {
         let h = self.state.t - before.t;
@@ -174,6 +178,10 @@ impl IntegrationState {
         let powers = [exchanged.work, exchanged.dissipation];
         self.state.is_valid(coordinates, multipliers)
             && self.auxiliary.len() == coordinates
+            && self
+                .before_jump
+                .as_ref()
+                .is_none_or(|a| a.len() == coordinates && a.iter().all(|x| x.is_finite()))
             && self.auxiliary.iter().chain(&energies).chain(&powers).all(|x| x.is_finite())
             && h.is_finite()
             && *h >= 0.0

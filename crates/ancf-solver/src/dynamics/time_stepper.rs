@@ -29,8 +29,9 @@ pub struct TimeStepper<'a, E: EquationsOfMotion + ?Sized> {
     /// Memory of the scheme before it was adapted to the size of the current attempt.
     pub(crate) last_memory: Option<Box<SavedMemory>>,
     phi: Vec<f64>,
-    /// Auxiliary damping forces at the start of the attempt after a restart, and damping forces at its end.
-    pub(crate) start_damping: Vec<f64>,
+    /// Values at the start of the attempt after a restart.
+    start: StartValues,
+    /// Damping forces at the end of the attempt.
     pub(crate) damping: DampingAttempt,
     pub(crate) energies: EnergyAttempt,
     pub(crate) guard: EnergyGuard,
@@ -71,7 +72,7 @@ impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
             middle: StepMiddle::new(&start),
             attempted: [auxiliary.clone(), auxiliary],
             phi: vec![0.0; start.lambda.len()],
-            start_damping: vec![0.0; start.q.len() + start.lambda.len()],
+            start: StartValues::new(start.q.len(), start.lambda.len()),
             damping: DampingAttempt::new(start.q.len(), start.lambda.len()),
             energies: EnergyAttempt::default(),
             last_memory: None,
@@ -176,8 +177,16 @@ impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
     fn solve(&mut self, h: f64, to: f64) -> Result<NewtonReport, SolveError> {
         let [auxiliary, _] = &mut self.attempted;
         if self.motion.at_start && !self.scheme.is_newmark() {
-            let start = StartValues { auxiliary, damping: &mut self.start_damping };
-            start_values(&*self.eom, self.scheme, &mut self.newton, &mut self.motion.state, start, h)?;
+            let IntegrationState { state, before_jump, .. } = &mut self.motion;
+            let start = (&mut auxiliary[..], &mut self.start);
+            start_values(
+                &*self.eom,
+                self.scheme,
+                &mut self.newton,
+                (state, before_jump.as_deref()),
+                start,
+                h,
+            )?;
         } else {
             self.motion.scale_auxiliary(h, auxiliary);
         }
@@ -205,9 +214,11 @@ impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
         if let Some(angle) = self.motion.ambiguous_angle(&self.before, self.eom.counted_angles()) {
             return Err(SolveError::after(done, to, SolveFailure::AmbiguousTurns, angle));
         }
+        let is_started = self.motion.at_start && !self.scheme.is_newmark();
+        let before = if is_started { &self.start.acceleration } else { &self.before.a };
         for_each_chunk(next, |range, next| {
             for (next, i) in next.iter_mut().zip(range) {
-                *next = self.scheme.auxiliary(auxiliary[i], self.before.a[i], self.motion.state.a[i]);
+                *next = self.scheme.auxiliary(auxiliary[i], before[i], self.motion.state.a[i]);
             }
         });
         Ok(done)
@@ -215,9 +226,9 @@ impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
 
     /// Computes energies, work and dissipation at the end of an attempt. Reverts it if it made too much energy.
     fn check_energy(&mut self, done: NewtonReport, to: f64) -> Result<NewtonReport, SolveError> {
-        let Self { eom, motion, before, damping, start_damping, scheme, .. } = self;
+        let Self { eom, motion, before, damping, start, scheme, .. } = self;
         let (power, exchange) = match scheme.averaging {
-            None => motion.exchange_of_step(&**eom, *scheme, before, start_damping, damping),
+            None => motion.exchange_of_step(&**eom, *scheme, before, start, damping),
             Some(_) => self.middle.exchange(&**eom, (before, &motion.state), &mut damping.force),
         };
         let energy = eom.energy(&motion.state);
@@ -253,7 +264,7 @@ impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
         self.motion.adapted_h = self.motion.h;
         let IntegrationState { predictor, state, h, .. } = &mut self.motion;
         predictor.record([&self.before, state], (*h, self.scheme.weights(*h)), &mut self.newton);
-        self.motion.at_start = false;
+        (self.motion.at_start, self.motion.before_jump) = (false, None);
         if let Some(errors) = &mut self.motion.errors {
             errors.advance(&*self.eom, &mut self.newton, (&self.before, &self.motion.state));
         }

@@ -55,11 +55,12 @@ pub(super) struct Release {
 }
 
 impl Release {
-    /// Subtracts the residual at a load factor.
-    pub(super) fn subtract(&self, load: f64, r: &mut [f64]) {
+    /// Subtracts the residual at a load factor from the rows from `first` on.
+    pub(super) fn subtract(&self, load: f64, first: usize, r: &mut [f64]) {
         let part = 1.0 - load / self.last;
-        r.iter_mut().zip(&*self.residual).for_each(|(r, at_start)| *r -= part * at_start);
-        self.kept.iter().for_each(|&row| r[row] -= (1.0 - part) * self.residual[row]);
+        r.iter_mut().zip(&self.residual[first..]).for_each(|(r, at_start)| *r -= part * at_start);
+        let kept = self.kept.iter().filter(|row| **row >= first);
+        kept.for_each(|&row| r[row - first] -= (1.0 - part) * self.residual[row]);
     }
 }
 

@@ -35,7 +35,7 @@ impl EquationsOfMotion for System {
         });
         self.add(self.unbatched(), s, r, |term, at, rows| term.residual(at, rows));
         if let Some(released) = &self.released {
-            released.subtract(s.load, r);
+            released.subtract(s.load, 0, r);
         }
     }
 
@@ -49,6 +49,9 @@ impl EquationsOfMotion for System {
         for &i in &self.unbatched_constraints {
             let term = self.terms[i].as_ref();
             term.constraints(&gathered.gather(s, term), level, &mut phi[term.multipliers()]);
+        }
+        if let (Some(released), Level::Position) = (&self.released, level) {
+            released.subtract(s.load, self.coordinates, phi);
         }
     }
 

@@ -124,3 +124,54 @@ fn errors_name_their_file() {
     let error = StudyRun::prepare(source(folder.path(), STUDY), &settings).unwrap_err();
     assert!(error.to_string().starts_with("cannot create "), "{error}");
 }
+
+const MESH: &str = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n2\n1 2 \"root\"\n1 4 \"tip\"\n$EndPhysicalNames\n\
+    $Nodes\n6\n1 0 0 0\n2 1 0 0\n3 2 0 0\n4 0 1 0\n5 1 1 0\n6 2 1 0\n$EndNodes\n\
+    $Elements\n4\n2 1 2 2 1 1 4\n3 1 2 4 1 3 6\n4 3 2 0 1 1 2 5 4\n5 3 2 0 1 2 3 6 5\n$EndElements\n";
+
+const PLATE: &str = r#"
+    gravity = [0, -9.81, 0]
+    materials.m = { density = 1000, young = 1e7, poisson = 0.3 }
+    bodies = [{ kind = "shear_shell", name = "s", thickness = 0.1, material = "m", mesh = { file = "strip.msh" } }]
+    joints = [{ kind = "support", name = "root", a = { body = "s", at = { edge = "root" } }, condition = "clamped" }]
+    probes = [{ name = "tip", on = { body = "s", at = { node = 2 } } }]
+    analysis = { kind = "statics" }
+"#;
+
+/// The mesh file of a model is read relative to the model. Cases with another content of the file are other cases.
+#[test]
+fn mesh_files_are_parts_of_cases() {
+    let folder = TempDir::new().unwrap();
+    let inner = folder.path().join("models");
+    fs::create_dir(&inner).unwrap();
+    fs::write(inner.join("plate.toml"), PLATE).unwrap();
+    let study = STUDY.replace("model.toml", "models/plate.toml").replace("samples = 6", "samples = 2");
+    fs::write(folder.path().join("study.toml"), study).unwrap();
+    let run_with = |mesh: &str| {
+        fs::write(inner.join("strip.msh"), mesh).unwrap();
+        let source = StudySource::read(&folder.path().join("study.toml")).unwrap();
+        let mut run = StudyRun::prepare(source, &settings(folder.path())).unwrap();
+        let taken_over = run.results().taken_over();
+        run.execute(1, &never(), |_| {}).unwrap();
+        (taken_over, tips(&run))
+    };
+    let (none, wide) = run_with(MESH);
+    let (all, again) = run_with(MESH);
+    let (other, long) = run_with(&MESH.replace("2 0 0\n4", "2.5 0 0\n4").replace("6 2 1 0", "6 2.5 1 0"));
+    assert_eq!((none, all, other), (0, 2, 0));
+    assert_eq!(wide, again);
+    assert!(long.iter().zip(&wide).all(|(long, wide)| long.abs() > 1.2 * wide.abs()), "{long:?} {wide:?}");
+}
+
+/// A model that starts from results has a part outside of its file that a case does not contain.
+#[test]
+fn models_that_start_from_results_are_rejected() {
+    let folder = TempDir::new().unwrap();
+    let started = MODEL.replace("    analysis = ", "    initial.from = \"before\"\n    analysis = ");
+    fs::write(folder.path().join("model.toml"), started).unwrap();
+    fs::write(folder.path().join("study.toml"), STUDY).unwrap();
+    let error = StudySource::read(&folder.path().join("study.toml")).unwrap_err();
+    let StudyError::Invalid { path, errors } = error else { panic!("{error}") };
+    assert_eq!(path, folder.path().join("model.toml"));
+    assert!(errors.to_string().contains("initial.from"), "{errors}");
+}

@@ -1,5 +1,6 @@
+use super::fast_motions::FastMotions;
 use super::initial_conditions::{solve, solve_again};
-use super::rates::{Rates, filter, start_rates};
+use super::rates::{filter, start_rates};
 use crate::dynamics::scheme::SchemeCoefficients;
 use crate::equations::{EquationsOfMotion, State, Weights};
 use crate::newton::{Newton, SolveError};
@@ -13,23 +14,35 @@ use crate::newton::{Newton, SolveError};
 /// matrix S = M + w_q K filters both corrections, so motions faster than the step remain unchanged:
 ///
 /// [S, Φ_qᵀ; Φ_q, 0] (x, ·) = (M v̈₀, Φ_q v̈₀),   [S, Φ_qᵀ; Φ_q, 0] (y, ·) = (0, Φ_q v̈₀),
-/// a₀ = v̇₀ + (αm − αf) h x,   v₀ ← v₀ + C h² y.
+/// a₀ = v̇₀ − c + (αm − αf) h x,   v₀ ← v₀ + C h² y.
+///
+/// The part c of v̇₀ in motions that are [much faster](FastMotions) than the step is removed. A sudden load near a joint starts such
+/// motions. The scheme would carry their accelerations through many steps, and with them wrong constraint forces.
 ///
 /// Source: Arnold, Brüls & Cardona (2015), on the order reduction of the first steps and perturbed start values.
 pub(crate) fn start_values<E: EquationsOfMotion>(
     eom: &E,
     scheme: SchemeCoefficients,
     newton: &mut Newton,
-    s: &mut State,
-    start: StartValues<'_>,
+    (s, before_jump): (&mut State, Option<&[f64]>),
+    (auxiliary, start): (&mut [f64], &mut StartValues),
     h: f64,
 ) -> Result<(), SolveError> {
-    let (n, StartValues { auxiliary, damping }) = (s.q.len(), start);
+    let StartValues { acceleration, damping, auxiliary_damping } = start;
+    let (n, w, consistent) = (s.q.len(), scheme.weights(h), s.a.clone());
     eom.exchange(s, damping);
-    let Rates { acceleration: rate, damping: damping_rate, .. } =
-        start_rates(eom, newton, s, damping, (scheme, h))?;
-    start_damping(eom, scheme, newton, s, (damping, &damping_rate), h)?;
-    filter(eom, newton, s, &rate, scheme.weights(h))?;
+    let fast_damping = FastMotions::at(eom, newton, (s, before_jump), damping, (h, w))?.map(|fast| {
+        s.a.iter_mut().zip(&fast.acceleration).for_each(|(a, fast)| *a -= fast);
+        fast.damping
+    });
+    acceleration.copy_from_slice(&s.a);
+    let rates = start_rates(eom, newton, s, (&consistent, damping), (scheme, h))?;
+    for (force, fast) in damping.iter_mut().zip(fast_damping.iter().flatten()) {
+        *force -= fast;
+    }
+    auxiliary_damping.copy_from_slice(damping);
+    start_damping(eom, newton, s, (auxiliary_damping, &rates.damping), (scheme, h))?;
+    filter(eom, newton, s, &rates.acceleration, w)?;
     let Newton { tangent, r, z, .. } = newton;
     let (matrix, factor) = tangent.lend();
     for i in 0..n {
@@ -44,12 +57,22 @@ pub(crate) fn start_values<E: EquationsOfMotion>(
     Ok(())
 }
 
-/// Start values of the first step.
-pub(crate) struct StartValues<'a> {
-    /// Auxiliary acceleration a₀.
-    pub(crate) auxiliary: &'a mut [f64],
+/// Accelerations and damping forces of the scheme at a start.
+#[derive(Clone, Debug)]
+pub(crate) struct StartValues {
+    /// True accelerations v̇₀ − c.
+    pub(crate) acceleration: Vec<f64>,
+    /// Damping forces F₀ without their share in M c.
+    pub(crate) damping: Vec<f64>,
     /// Auxiliary damping forces φ₀.
-    pub(crate) damping: &'a mut [f64],
+    pub(crate) auxiliary_damping: Vec<f64>,
+}
+
+impl StartValues {
+    pub(crate) fn new(coordinates: usize, multipliers: usize) -> Self {
+        let damping = vec![0.0; coordinates + multipliers];
+        Self { acceleration: vec![0.0; coordinates], auxiliary_damping: damping.clone(), damping }
+    }
 }
 
 /// Computes the auxiliary damping forces at the start from F₀ and its rate Ḟ₀. They are the share of the damping forces
@@ -58,11 +81,10 @@ pub(crate) struct StartValues<'a> {
 /// [S, Φ_qᵀ; Φ_q, 0] (x, μ) = (−Ḟ₀, 0),   φ₀ = F₀ − (αm − αf) h (M x + Φ_qᵀ μ).
 fn start_damping<E: EquationsOfMotion>(
     eom: &E,
-    scheme: SchemeCoefficients,
     newton: &mut Newton,
     s: &State,
     (damping, rate): (&mut [f64], &[f64]),
-    h: f64,
+    (scheme, h): (SchemeCoefficients, f64),
 ) -> Result<(), SolveError> {
     if rate.iter().all(|rate| *rate == 0.0) {
         return Ok(());

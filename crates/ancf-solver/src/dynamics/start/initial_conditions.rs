@@ -146,6 +146,8 @@ pub(crate) enum Factors {
 pub(crate) enum Projected {
     /// Positions onto Φ = 0, by one step of Newton's method.
     Positions,
+    /// Positions onto Φ = 0, with the factors of the last projection of positions.
+    PositionsByLastFactors,
     /// Velocities onto Φ_q v + Φ_t = 0.
     Velocities,
 }
@@ -165,7 +167,7 @@ pub(crate) fn project<E: EquationsOfMotion + ?Sized>(
 ) -> Result<Factors, SolveError> {
     let n = s.q.len();
     let level = match part {
-        Projected::Positions => Level::Position,
+        Projected::Positions | Projected::PositionsByLastFactors => Level::Position,
         Projected::Velocities => Level::Velocity,
     };
     rhs[..n].fill(0.0);
@@ -174,10 +176,13 @@ pub(crate) fn project<E: EquationsOfMotion + ?Sized>(
         return Ok(Factors::OfOtherState);
     }
     rhs.iter_mut().for_each(|x| *x = -*x);
-    solve(eom, matrix, factor, s, Weights::MASS, rhs)?;
-    let (projected, factors) = match part {
-        Projected::Positions => (&mut s.q, Factors::OfOtherState),
-        Projected::Velocities => (&mut s.v, Factors::OfState),
+    match part {
+        Projected::Positions | Projected::Velocities => solve(eom, matrix, factor, s, Weights::MASS, rhs)?,
+        Projected::PositionsByLastFactors => solve_again(matrix, factor, s, rhs)?,
+    }
+    let (projected, factors) = match level {
+        Level::Velocity => (&mut s.v, Factors::OfState),
+        _ => (&mut s.q, Factors::OfOtherState),
     };
     projected.iter_mut().zip(&*rhs).for_each(|(x, change)| *x += change);
     Ok(factors)

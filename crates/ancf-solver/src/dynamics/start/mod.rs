@@ -1,5 +1,6 @@
 //! Start of a motion: consistent accelerations and multipliers, and the start values of the first step.
 
+mod fast_motions;
 mod first_step;
 mod initial_conditions;
 mod rates;

@@ -14,8 +14,13 @@ const REFINEMENTS: i32 = 5;
 /// which no rate is used.
 const ACCEPTED: f64 = 1e-3;
 const REJECTED: f64 = 1e-2;
-/// Projections of a state onto the constraints. The second step of Newton's method squares their small violation.
-const PROJECTIONS: [Projected; 3] = [Projected::Positions, Projected::Positions, Projected::Velocities];
+/// Projections of a state onto the constraints. Three steps with one Jacobian reduce their small violation ε to ε⁴.
+const PROJECTIONS: [Projected; 4] = [
+    Projected::Positions,
+    Projected::PositionsByLastFactors,
+    Projected::PositionsByLastFactors,
+    Projected::Velocities,
+];
 
 /// Rates of accelerations and damping forces at the start.
 pub(super) struct Rates {
@@ -36,12 +41,10 @@ pub(super) fn start_rates<E: EquationsOfMotion>(
     eom: &E,
     newton: &mut Newton,
     s: &State,
-    damping: &[f64],
+    at_start: (&[f64], &[f64]),
     (scheme, h): (SchemeCoefficients, f64),
 ) -> Result<Rates, SolveError> {
-    let rates_for = |newton: &mut Newton, k: i32| {
-        rates(eom, newton, s, damping, h * DIFFERENCE_INTERVAL * REFINEMENT.powi(k))
-    };
+    let rates_for = |newton: &mut Newton, k: i32| rates(eom, newton, s, at_start, interval(h, k));
     let mut last = rates_for(newton, 0)?;
     let [first, second] = magnitudes(eom, newton, s, last.differences.each_ref().map(|x| &x[..]));
     if second <= SMOOTH * first {
@@ -78,8 +81,13 @@ pub(super) fn start_rates<E: EquationsOfMotion>(
     }
 }
 
+/// Returns the interval of differences for a first step h after k refinements.
+pub(super) fn interval(h: f64, k: i32) -> f64 {
+    h * DIFFERENCE_INTERVAL * REFINEMENT.powi(k)
+}
+
 /// Returns √(xᵀ M x) of several vectors.
-fn magnitudes<E: EquationsOfMotion, const N: usize>(
+pub(super) fn magnitudes<E: EquationsOfMotion, const N: usize>(
     eom: &E,
     newton: &mut Newton,
     s: &State,
@@ -116,7 +124,7 @@ pub(super) fn filter<E: EquationsOfMotion>(
 }
 
 /// Returns the state at a time d later on a parabola through a state.
-fn ahead(s: &State, d: f64) -> State {
+pub(super) fn ahead(s: &State, d: f64) -> State {
     let mut ahead = s.clone();
     for i in 0..s.q.len() {
         ahead.q[i] += d * (s.v[i] + 0.5 * d * s.a[i]);
@@ -135,14 +143,14 @@ fn rates<E: EquationsOfMotion>(
     eom: &E,
     newton: &mut Newton,
     s: &State,
-    damping: &[f64],
+    (consistent, damping): (&[f64], &[f64]),
     delta: f64,
 ) -> Result<Rates, SolveError> {
     let start = |x: &[f64]| -> Vec<f64> { x.iter().map(|x| -1.5 / delta * x).collect() };
     let zeros = || vec![0.0; s.q.len()];
     let [mut first, mut second] = [zeros(), zeros()];
     let mut rates =
-        Rates { acceleration: start(&s.a), damping: start(damping), differences: Default::default() };
+        Rates { acceleration: start(consistent), damping: start(damping), differences: Default::default() };
     for (d, weight, of) in [(delta, 2.0 / delta, [1.0, -2.0]), (2.0 * delta, -0.5 / delta, [0.0, 1.0])] {
         let mut ahead = ahead(s, d);
         let Newton { tangent, z, r, .. } = &mut *newton;
@@ -168,7 +176,7 @@ fn rates<E: EquationsOfMotion>(
         };
         add(&mut rates.acceleration, &ahead.a);
         add(&mut rates.damping, r);
-        for (i, (now, then)) in ahead.a.iter().zip(&s.a).enumerate() {
+        for (i, (now, then)) in ahead.a.iter().zip(consistent).enumerate() {
             first[i] += of[0] * (now - then);
             second[i] += of[1] * (now - then);
         }

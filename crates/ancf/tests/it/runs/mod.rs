@@ -9,6 +9,7 @@ mod failures;
 pub(crate) mod given_states;
 mod observers;
 pub(crate) mod recorder;
+mod resting_states;
 mod sensors;
 mod sequences;
 mod turns;

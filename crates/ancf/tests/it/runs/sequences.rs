@@ -8,7 +8,7 @@ use super::given_states::States;
 use crate::common::models::parse;
 
 /// Runs all analyses of a sequence, each from the last state before it. Returns their columns and summaries.
-fn run_all(text: &str) -> Vec<(Series, Summary)> {
+pub(super) fn run_all(text: &str) -> Vec<(Series, Summary)> {
     let sequence = AnalysisSequence::parse(text).unwrap().expect("a list of analyses");
     let (mut time, mut runs) = (0.0, Vec::new());
     let mut last: Option<GivenState> = None;
@@ -34,7 +34,7 @@ fn run_all(text: &str) -> Vec<(Series, Summary)> {
     runs
 }
 
-fn last(series: &Series, name: &str) -> f64 {
+pub(super) fn last(series: &Series, name: &str) -> f64 {
     *series.column(name).unwrap().last().unwrap()
 }
 

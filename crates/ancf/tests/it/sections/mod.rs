@@ -2,6 +2,7 @@
 
 mod cable_frame;
 mod constants;
+mod curved_stress;
 mod directors;
 mod elasticity;
 mod neo_hookean;

@@ -1,0 +1,162 @@
+use super::initial_conditions::{solve, solve_again};
+use super::rates::{ahead, interval, magnitudes};
+use crate::equations::{EquationsOfMotion, State, Weights};
+use crate::newton::{Newton, SolveError};
+
+/// Largest difference of the parts of two intervals, relative to the part, and smallest part, relative to the acceleration.
+const AGREE: f64 = 0.1;
+const NEGLIGIBLE: f64 = 1e-6;
+/// Largest number of intervals.
+const INTERVALS: i32 = 6;
+/// Number of factors of the filter.
+const FACTORS: usize = 3;
+
+/// Part c of the accelerations v̇ at a start in motions that are much faster than the first step, and of the damping forces.
+///
+/// With the iteration matrix S of the step and its weights,
+///
+/// [S, Φ_qᵀ; Φ_q, 0] (e, ·) = (w_q f̈ + w_v Ḟ, 0),   c = (1 − U)² e,   [S, Φ_qᵀ; Φ_q, 0] (U x, ·) = (M x, 0).
+///
+/// F are the damping forces, and f is the residual without them at the accelerations and multipliers of the state. f̈ and Ḟ are
+/// derivatives along a parabola through the state. In a linear mode of frequency ω and decay rate ζω, f̈ = M ω² v̇ and Ḟ = 2ζω M v̇.
+/// Hence c = [y/(1 + y)]³ v̇ with y = w_q ω² + 2ζω w_v: all of v̇ if the motion is much faster than the step, and an error of the order
+/// h⁶ (h³ with damping) if the step resolves it. In a rotating body f̈ contains the change of the strains only, so its centripetal
+/// accelerations are no part of c.
+///
+/// At a jump within a motion c is the part of the change of the accelerations. Vibrations that the scheme carries remain.
+///
+/// The interval of the differences is reduced until two results agree. Where the forces are not smooth, as before an impact or with
+/// dry friction, none agree, or the part is larger than the acceleration, and c is zero.
+pub(super) struct FastMotions {
+    /// Part c of the accelerations.
+    pub(super) acceleration: Vec<f64>,
+    /// Part of the damping forces.
+    pub(super) damping: Vec<f64>,
+}
+
+impl FastMotions {
+    /// Computes the parts for a first step h with the weights `w`; `None` if they are negligible or unknown. `before_jump` are the
+    /// accelerations before a jump within a motion.
+    pub(super) fn at<E: EquationsOfMotion>(
+        eom: &E,
+        newton: &mut Newton,
+        (s, before_jump): (&State, Option<&[f64]>),
+        damping: &[f64],
+        (h, w): (f64, Weights),
+    ) -> Result<Option<Self>, SolveError> {
+        let before = before_jump.map(|a| State { a: a.to_vec(), ..s.clone() });
+        let change = before.as_ref().map_or_else(|| s.a.clone(), |before| difference(&s.a, &before.a));
+        let mut last: Option<Vec<f64>> = None;
+        for k in 0..INTERVALS {
+            let mut forces = force_changes(eom, s, interval(h, k), w);
+            if let Some(before) = &before {
+                forces = difference(&forces, &force_changes(eom, before, interval(h, k), w));
+            }
+            if forces.iter().any(|force| !force.is_finite()) {
+                continue;
+            }
+            let part = fast_part(eom, newton, s, forces, w)?;
+            let apart = last.as_ref().map(|last| difference(&part, last)).unwrap_or_default();
+            let [size, whole, apart] = magnitudes(eom, newton, s, [&part, &change, &apart]);
+            if size <= NEGLIGIBLE * whole {
+                return Ok(None);
+            }
+            if last.is_some() && apart <= AGREE * size {
+                if size > (1.0 + AGREE) * whole {
+                    return Ok(None);
+                }
+                let damping = fast_damping(eom, newton, s, (&part, damping), w)?;
+                return Ok(Some(Self { acceleration: part, damping }));
+            }
+            last = Some(part);
+        }
+        Ok(None)
+    }
+}
+
+fn difference(x: &[f64], y: &[f64]) -> Vec<f64> {
+    x.iter().zip(y).map(|(x, y)| x - y).collect()
+}
+
+/// Computes w_q f̈ + w_v Ḟ from one-sided differences of the interval `delta`.
+fn force_changes<E: EquationsOfMotion>(eom: &E, s: &State, delta: f64, w: Weights) -> Vec<f64> {
+    let [mut sum, mut residual, mut damping] = [(); 3].map(|()| vec![0.0; s.q.len() + s.lambda.len()]);
+    let [second, first] = [w.q / (delta * delta), w.v / (2.0 * delta)];
+    for (steps, of) in [(0.0, [1.0, -3.0]), (1.0, [-2.0, 4.0]), (2.0, [1.0, -1.0])] {
+        let ahead = ahead(s, steps * delta);
+        eom.residual(&ahead, &mut residual);
+        eom.exchange(&ahead, &mut damping);
+        for (i, sum) in sum[..s.q.len()].iter_mut().enumerate() {
+            *sum += of[0] * second * (residual[i] - damping[i]) + of[1] * first * damping[i];
+        }
+    }
+    sum
+}
+
+/// Returns c for the forces (w_q f̈ + w_v Ḟ, 0).
+fn fast_part<E: EquationsOfMotion>(
+    eom: &E,
+    newton: &mut Newton,
+    s: &State,
+    forces: Vec<f64>,
+    w: Weights,
+) -> Result<Vec<f64>, SolveError> {
+    let (matrix, factor) = newton.tangent.lend();
+    let mut part = forces;
+    solve(eom, matrix, factor, s, w, &mut part)?;
+    part.truncate(s.q.len());
+    for _ in 1..FACTORS {
+        inertia(eom, newton, s, &part);
+        solve_with_factors(eom, newton, s, w)?;
+        part.iter_mut().zip(&newton.z).for_each(|(c, x)| *c -= x);
+    }
+    Ok(part)
+}
+
+/// Returns the damping forces that cause c: θ M c, with −1 ≤ θ ≤ 0 such that the power of the remaining forces on S⁻¹ M c is least.
+///
+/// Other damping forces are in equilibrium with elastic forces, such as those of a belt that sticks.
+fn fast_damping<E: EquationsOfMotion>(
+    eom: &E,
+    newton: &mut Newton,
+    s: &State,
+    (part, damping): (&[f64], &[f64]),
+    w: Weights,
+) -> Result<Vec<f64>, SolveError> {
+    let n = s.q.len();
+    if damping.iter().all(|force| *force == 0.0) {
+        return Ok(vec![0.0; n]);
+    }
+    inertia(eom, newton, s, part);
+    let inertia = newton.z[..n].to_vec();
+    solve_with_factors(eom, newton, s, w)?;
+    let power = |force: &[f64]| force.iter().zip(&newton.z[..n]).map(|(force, x)| force * x).sum::<f64>();
+    let [own, total] = [power(&inertia), power(&damping[..n])];
+    let share = if own > 0.0 { (total / own).clamp(-1.0, 0.0) } else { 0.0 };
+    Ok(inertia.into_iter().map(|force| share * force).collect())
+}
+
+/// Computes (M x, 0) into `newton.z`.
+fn inertia<E: EquationsOfMotion>(eom: &E, newton: &mut Newton, s: &State, x: &[f64]) {
+    let Newton { tangent, r, z, .. } = newton;
+    let (matrix, _) = tangent.lend();
+    eom.tangent(s, Weights::MASS, matrix);
+    z.fill(0.0);
+    z[..x.len()].copy_from_slice(x);
+    matrix.multiply(z, r);
+    z.fill(0.0);
+    z[..x.len()].copy_from_slice(&r[..x.len()]);
+}
+
+/// Solves [S, Φ_qᵀ; Φ_q, 0] for `newton.z` with the factors of this matrix.
+fn solve_with_factors<E: EquationsOfMotion>(
+    eom: &E,
+    newton: &mut Newton,
+    s: &State,
+    w: Weights,
+) -> Result<(), SolveError> {
+    let Newton { tangent, z, .. } = newton;
+    let (matrix, factor) = tangent.lend();
+    eom.tangent(s, w, matrix);
+    solve_again(matrix, factor, s, z)
+}

@@ -35,7 +35,9 @@ fn parts(timer: &PartTimer) -> Done {
     let debug = || {
         timer.run("tests", || cargo("tests", &["test", "--workspace"], &[]))?;
         let documentation = ["doc", "--workspace", "--no-deps"];
-        timer.run("documentation", || cargo("documentation", &documentation, &[("RUSTDOCFLAGS", "-D warnings")]))
+        timer.run("documentation", || {
+            cargo("documentation", &documentation, &[("RUSTDOCFLAGS", "-D warnings")])
+        })
     };
     // Counting instructions and linking the module occupy one core each, with programs of another profile.
     let release = || {

@@ -1,13 +1,16 @@
-use super::initial_conditions::{solve, solve_again};
-use super::rates::{ahead, interval, magnitudes};
+use super::initial_conditions::{factorise, solve_again};
+use super::rates::{ahead, magnitudes};
 use crate::equations::{EquationsOfMotion, State, Weights};
 use crate::newton::{Newton, SolveError};
 
-/// Largest difference of the parts of two intervals, relative to the part, and smallest part, relative to the acceleration.
+/// Largest difference of the parts of two intervals, relative to the part, and smallest part, relative to all accelerations.
 const AGREE: f64 = 0.1;
 const NEGLIGIBLE: f64 = 1e-6;
-/// Largest number of intervals.
-const INTERVALS: i32 = 6;
+/// First interval of the differences, relative to the step, factor between intervals, and their largest number. Rounding errors grow with
+/// the square of the factor.
+const FIRST: f64 = 1.0 / 16.0;
+const REFINEMENT: f64 = 0.25;
+const INTERVALS: i32 = 11;
 /// Number of factors of the filter.
 const FACTORS: usize = 3;
 
@@ -26,7 +29,7 @@ const FACTORS: usize = 3;
 /// At a jump within a motion c is the part of the change of the accelerations. Vibrations that the scheme carries remain.
 ///
 /// The interval of the differences is reduced until two results agree. Where the forces are not smooth, as before an impact or with
-/// dry friction, none agree, or the part is larger than the acceleration, and c is zero.
+/// dry friction, none agree with a part below the acceleration, and c is zero.
 pub(super) struct FastMotions {
     /// Part c of the accelerations.
     pub(super) acceleration: Vec<f64>,
@@ -46,25 +49,30 @@ impl FastMotions {
     ) -> Result<Option<Self>, SolveError> {
         let before = before_jump.map(|a| State { a: a.to_vec(), ..s.clone() });
         let change = before.as_ref().map_or_else(|| s.a.clone(), |before| difference(&s.a, &before.a));
+        let [whole, all] = magnitudes(eom, newton, s, [&change, &s.a]);
+        if whole <= NEGLIGIBLE * all {
+            return Ok(None);
+        }
         let mut last: Option<Vec<f64>> = None;
+        let Newton { tangent, .. } = &mut *newton;
+        let (matrix, factor) = tangent.lend();
+        factorise(eom, matrix, factor, s, w)?;
         for k in 0..INTERVALS {
-            let mut forces = force_changes(eom, s, interval(h, k), w);
+            let interval = h * FIRST * REFINEMENT.powi(k);
+            let mut forces = force_changes(eom, s, interval, w);
             if let Some(before) = &before {
-                forces = difference(&forces, &force_changes(eom, before, interval(h, k), w));
+                forces = difference(&forces, &force_changes(eom, before, interval, w));
             }
             if forces.iter().any(|force| !force.is_finite()) {
                 continue;
             }
-            let part = fast_part(eom, newton, s, forces, w)?;
+            let part = fast_part(eom, newton, s, &forces, w)?;
             let apart = last.as_ref().map(|last| difference(&part, last)).unwrap_or_default();
-            let [size, whole, apart] = magnitudes(eom, newton, s, [&part, &change, &apart]);
-            if size <= NEGLIGIBLE * whole {
+            let [size, apart] = magnitudes(eom, newton, s, [&part, &apart]);
+            if size <= NEGLIGIBLE * all {
                 return Ok(None);
             }
-            if last.is_some() && apart <= AGREE * size {
-                if size > (1.0 + AGREE) * whole {
-                    return Ok(None);
-                }
+            if last.is_some() && apart <= AGREE * size && size <= (1.0 + AGREE) * whole {
                 let damping = fast_damping(eom, newton, s, (&part, damping), w)?;
                 return Ok(Some(Self { acceleration: part, damping }));
             }
@@ -98,13 +106,12 @@ fn fast_part<E: EquationsOfMotion>(
     eom: &E,
     newton: &mut Newton,
     s: &State,
-    forces: Vec<f64>,
+    forces: &[f64],
     w: Weights,
 ) -> Result<Vec<f64>, SolveError> {
-    let (matrix, factor) = newton.tangent.lend();
-    let mut part = forces;
-    solve(eom, matrix, factor, s, w, &mut part)?;
-    part.truncate(s.q.len());
+    newton.z.copy_from_slice(forces);
+    solve_with_factors(eom, newton, s, w)?;
+    let mut part = newton.z[..s.q.len()].to_vec();
     for _ in 1..FACTORS {
         inertia(eom, newton, s, &part);
         solve_with_factors(eom, newton, s, w)?;

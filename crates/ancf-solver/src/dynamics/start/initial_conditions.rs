@@ -197,9 +197,20 @@ pub(crate) fn solve<E: EquationsOfMotion + ?Sized>(
     w: Weights,
     rhs: &mut [f64],
 ) -> Result<(), SolveError> {
-    eom.tangent(s, w, matrix);
-    factor.factorise(matrix).map_err(|_| SolveError::at(s.t, SolveFailure::Singular))?;
+    factorise(eom, matrix, factor, s, w)?;
     solve_again(matrix, factor, s, rhs)
+}
+
+/// Computes and factorises [S, Φ_qᵀ; Φ_q, 0] with the weights `w`.
+pub(crate) fn factorise<E: EquationsOfMotion + ?Sized>(
+    eom: &E,
+    matrix: &mut SparseMatrix,
+    factor: &mut Factor,
+    s: &State,
+    w: Weights,
+) -> Result<(), SolveError> {
+    eom.tangent(s, w, matrix);
+    factor.factorise(matrix).map_err(|_| SolveError::at(s.t, SolveFailure::Singular))
 }
 
 /// Solves with the matrix and the factors of the last [`solve`].

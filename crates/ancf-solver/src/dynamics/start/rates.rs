@@ -44,7 +44,9 @@ pub(super) fn start_rates<E: EquationsOfMotion>(
     at_start: (&[f64], &[f64]),
     (scheme, h): (SchemeCoefficients, f64),
 ) -> Result<Rates, SolveError> {
-    let rates_for = |newton: &mut Newton, k: i32| rates(eom, newton, s, at_start, interval(h, k));
+    let rates_for = |newton: &mut Newton, k: i32| {
+        rates(eom, newton, s, at_start, h * DIFFERENCE_INTERVAL * REFINEMENT.powi(k))
+    };
     let mut last = rates_for(newton, 0)?;
     let [first, second] = magnitudes(eom, newton, s, last.differences.each_ref().map(|x| &x[..]));
     if second <= SMOOTH * first {
@@ -79,11 +81,6 @@ pub(super) fn start_rates<E: EquationsOfMotion>(
             Ok(last)
         }
     }
-}
-
-/// Returns the interval of differences for a first step h after k refinements.
-pub(super) fn interval(h: f64, k: i32) -> f64 {
-    h * DIFFERENCE_INTERVAL * REFINEMENT.powi(k)
 }
 
 /// Returns √(xᵀ M x) of several vectors.

@@ -10,7 +10,8 @@ pub(crate) use auxiliary::Auxiliary;
 pub(crate) use memory::{SavedMemory, StepMemory};
 pub(crate) use reference::StepReference;
 
-/// Relative difference of step sizes up to which they count as equal.
-pub(crate) const SAME: f64 = 0.01;
+/// Relative difference of step sizes up to which they count as equal. It is between 1/98 and 1/97: equal parts of an interval differ by
+/// such ratios, and rounding errors would decide.
+pub(crate) const SAME: f64 = 0.01025;
 /// Largest ratio of step sizes by which quantities of the last step are scaled. Larger ratios would scale rounding errors.
 const LARGEST_RATIO: f64 = 100.0;

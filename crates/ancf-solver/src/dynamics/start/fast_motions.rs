@@ -26,7 +26,8 @@ const FACTORS: usize = 3;
 /// h⁶ (h³ with damping) if the step resolves it. In a rotating body f̈ contains the change of the strains only, so its centripetal
 /// accelerations are no part of c.
 ///
-/// At a jump within a motion c is the part of the change of the accelerations. Vibrations that the scheme carries remain.
+/// At a jump within a motion c is the part of the change of the accelerations. Vibrations that the scheme carries remain. There and at
+/// rest, w_q f̈ + w_v Ḟ = (S − M) v̇ without differences.
 ///
 /// The interval of the differences is reduced until two results agree. Where the forces are not smooth, as before an impact or with
 /// dry friction, none agree with a part below the acceleration, and c is zero.
@@ -47,39 +48,74 @@ impl FastMotions {
         damping: &[f64],
         (h, w): (f64, Weights),
     ) -> Result<Option<Self>, SolveError> {
-        let before = before_jump.map(|a| State { a: a.to_vec(), ..s.clone() });
-        let change = before.as_ref().map_or_else(|| s.a.clone(), |before| difference(&s.a, &before.a));
+        let change = before_jump.map_or_else(|| s.a.clone(), |before| difference(&s.a, before));
         let [whole, all] = magnitudes(eom, newton, s, [&change, &s.a]);
         if whole <= NEGLIGIBLE * all {
             return Ok(None);
         }
-        let mut last: Option<Vec<f64>> = None;
-        let Newton { tangent, .. } = &mut *newton;
-        let (matrix, factor) = tangent.lend();
+        let (matrix, factor) = newton.tangent.lend();
         factorise(eom, matrix, factor, s, w)?;
-        for k in 0..INTERVALS {
-            let interval = h * FIRST * REFINEMENT.powi(k);
-            let mut forces = force_changes(eom, s, interval, w);
-            if let Some(before) = &before {
-                forces = difference(&forces, &force_changes(eom, before, interval, w));
-            }
-            if forces.iter().any(|force| !force.is_finite()) {
-                continue;
-            }
-            let part = fast_part(eom, newton, s, &forces, w)?;
-            let apart = last.as_ref().map(|last| difference(&part, last)).unwrap_or_default();
-            let [size, apart] = magnitudes(eom, newton, s, [&part, &apart]);
-            if size <= NEGLIGIBLE * all {
-                return Ok(None);
-            }
-            if last.is_some() && apart <= AGREE * size && size <= (1.0 + AGREE) * whole {
-                let damping = fast_damping(eom, newton, s, (&part, damping), w)?;
-                return Ok(Some(Self { acceleration: part, damping }));
-            }
-            last = Some(part);
-        }
-        Ok(None)
+        let is_linear = before_jump.is_some() || s.v.iter().all(|v| *v == 0.0);
+        let part = if is_linear {
+            let part = part_of_change(eom, newton, s, &change, w)?;
+            let [size] = magnitudes(eom, newton, s, [&part]);
+            (size > NEGLIGIBLE * all && size <= (1.0 + AGREE) * whole).then_some(part)
+        } else {
+            part_of_differences(eom, newton, s, whole, (h, w))?
+        };
+        let Some(acceleration) = part else { return Ok(None) };
+        let damping = fast_damping(eom, newton, s, (&acceleration, damping), w)?;
+        Ok(Some(Self { acceleration, damping }))
     }
+}
+
+/// Returns c of a change of the accelerations, or of all accelerations at rest: w_q f̈ + w_v Ḟ = (S − M) v̇.
+fn part_of_change<E: EquationsOfMotion>(
+    eom: &E,
+    newton: &mut Newton,
+    s: &State,
+    change: &[f64],
+    w: Weights,
+) -> Result<Vec<f64>, SolveError> {
+    let Newton { tangent, r, z, .. } = &mut *newton;
+    let (matrix, _) = tangent.lend();
+    z.fill(0.0);
+    z[..change.len()].copy_from_slice(change);
+    matrix.multiply(z, r);
+    let mut forces = r.clone();
+    forces[change.len()..].fill(0.0);
+    inertia(eom, newton, s, change);
+    forces.iter_mut().zip(&newton.z).for_each(|(force, inertia)| *force -= inertia);
+    fast_part(eom, newton, s, &forces, w)
+}
+
+/// Returns c of the accelerations of a moving system, of the size `whole`, from differences along a parabola; `None` if it is negligible
+/// or the forces are not smooth.
+fn part_of_differences<E: EquationsOfMotion>(
+    eom: &E,
+    newton: &mut Newton,
+    s: &State,
+    whole: f64,
+    (h, w): (f64, Weights),
+) -> Result<Option<Vec<f64>>, SolveError> {
+    let mut last: Option<Vec<f64>> = None;
+    for k in 0..INTERVALS {
+        let forces = force_changes(eom, s, h * FIRST * REFINEMENT.powi(k), w);
+        if forces.iter().any(|force| !force.is_finite()) {
+            continue;
+        }
+        let part = fast_part(eom, newton, s, &forces, w)?;
+        let apart = last.as_ref().map(|last| difference(&part, last)).unwrap_or_default();
+        let [size, apart] = magnitudes(eom, newton, s, [&part, &apart]);
+        if size <= NEGLIGIBLE * whole {
+            return Ok(None);
+        }
+        if last.is_some() && apart <= AGREE * size && size <= (1.0 + AGREE) * whole {
+            return Ok(Some(part));
+        }
+        last = Some(part);
+    }
+    Ok(None)
 }
 
 fn difference(x: &[f64], y: &[f64]) -> Vec<f64> {

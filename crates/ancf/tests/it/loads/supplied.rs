@@ -266,8 +266,8 @@ time = { kind = "external", name = "wave" }
     assert_eq!(run.summary.steps, 20);
     let calls = calls.lock().unwrap();
     assert!(calls.windows(2).all(|pair| pair[0] != pair[1]), "{calls:?}");
-    // Start, seven instants for the start values of the scheme, ends of the steps.
-    assert!(calls.len() <= 28, "{} calls in 20 steps: {calls:?}", calls.len());
+    // Start, two instants for the start values of the scheme, ends of the steps.
+    assert!(calls.len() <= 23, "{} calls in 20 steps: {calls:?}", calls.len());
 }
 
 /// Runs, assembly and diagnosis report all missing functions at once.

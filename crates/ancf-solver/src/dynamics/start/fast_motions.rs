@@ -1,5 +1,5 @@
 use super::initial_conditions::{factorise, solve_again};
-use super::rates::{ahead, magnitudes};
+use super::rates::{ahead, difference, magnitudes, multiply};
 use crate::equations::{EquationsOfMotion, State, Weights};
 use crate::newton::{Newton, SolveError};
 
@@ -77,12 +77,8 @@ fn part_of_change<E: EquationsOfMotion>(
     change: &[f64],
     w: Weights,
 ) -> Result<Vec<f64>, SolveError> {
-    let Newton { tangent, r, z, .. } = &mut *newton;
-    let (matrix, _) = tangent.lend();
-    z.fill(0.0);
-    z[..change.len()].copy_from_slice(change);
-    matrix.multiply(z, r);
-    let mut forces = r.clone();
+    multiply(newton, change);
+    let mut forces = newton.r.clone();
     forces[change.len()..].fill(0.0);
     inertia(eom, newton, s, change);
     forces.iter_mut().zip(&newton.z).for_each(|(force, inertia)| *force -= inertia);
@@ -116,10 +112,6 @@ fn part_of_differences<E: EquationsOfMotion>(
         last = Some(part);
     }
     Ok(None)
-}
-
-fn difference(x: &[f64], y: &[f64]) -> Vec<f64> {
-    x.iter().zip(y).map(|(x, y)| x - y).collect()
 }
 
 /// Computes w_q f̈ + w_v Ḟ from one-sided differences of the interval `delta`.
@@ -181,13 +173,9 @@ fn fast_damping<E: EquationsOfMotion>(
 
 /// Computes (M x, 0) into `newton.z`.
 fn inertia<E: EquationsOfMotion>(eom: &E, newton: &mut Newton, s: &State, x: &[f64]) {
-    let Newton { tangent, r, z, .. } = newton;
-    let (matrix, _) = tangent.lend();
-    eom.tangent(s, Weights::MASS, matrix);
-    z.fill(0.0);
-    z[..x.len()].copy_from_slice(x);
-    matrix.multiply(z, r);
-    z.fill(0.0);
+    eom.tangent(s, Weights::MASS, newton.tangent.lend().0);
+    multiply(newton, x);
+    let Newton { r, z, .. } = newton;
     z[..x.len()].copy_from_slice(&r[..x.len()]);
 }
 

@@ -63,7 +63,7 @@ pub(super) fn start_rates<E: EquationsOfMotion>(
     for k in 1..=REFINEMENTS {
         let next = rates_for(newton, k)?;
         let other = filtered_rate(newton, &next)?;
-        let apart: Vec<f64> = filtered.iter().zip(&other).map(|(x, y)| x - y).collect();
+        let apart = difference(&filtered, &other);
         let [change] = magnitudes(eom, newton, s, [&apart]).map(|apart| h * h * apart);
         if change <= ACCEPTED * speed {
             return Ok(next);
@@ -83,6 +83,10 @@ pub(super) fn start_rates<E: EquationsOfMotion>(
     }
 }
 
+pub(super) fn difference(x: &[f64], y: &[f64]) -> Vec<f64> {
+    x.iter().zip(y).map(|(x, y)| x - y).collect()
+}
+
 /// Returns √(xᵀ M x) of several vectors.
 pub(super) fn magnitudes<E: EquationsOfMotion, const N: usize>(
     eom: &E,
@@ -90,15 +94,19 @@ pub(super) fn magnitudes<E: EquationsOfMotion, const N: usize>(
     s: &State,
     vectors: [&[f64]; N],
 ) -> [f64; N] {
-    let Newton { tangent, r, z, .. } = newton;
-    let (matrix, _) = tangent.lend();
-    eom.tangent(s, Weights::MASS, matrix);
+    eom.tangent(s, Weights::MASS, newton.tangent.lend().0);
     vectors.map(|x| {
-        z.fill(0.0);
-        z[..x.len()].copy_from_slice(x);
-        matrix.multiply(z, r);
-        x.iter().zip(&*r).map(|(x, r)| x * r).sum::<f64>().max(0.0).sqrt()
+        multiply(newton, x);
+        x.iter().zip(&newton.r).map(|(x, r)| x * r).sum::<f64>().max(0.0).sqrt()
     })
+}
+
+/// Computes the product of the last computed matrix and (x, 0) into `newton.r`.
+pub(super) fn multiply(newton: &mut Newton, x: &[f64]) {
+    let Newton { tangent, r, z, .. } = newton;
+    z.fill(0.0);
+    z[..x.len()].copy_from_slice(x);
+    tangent.lend().0.multiply(z, r);
 }
 
 /// Computes the rate of the acceleration without motions that are faster than the step into `newton.z`, and its forces (M v̈, Φ_q v̈)
@@ -110,12 +118,10 @@ pub(super) fn filter<E: EquationsOfMotion>(
     rate: &[f64],
     w: Weights,
 ) -> Result<(), SolveError> {
+    eom.tangent(s, Weights::MASS, newton.tangent.lend().0);
+    multiply(newton, rate);
     let Newton { tangent, r, z, .. } = newton;
     let (matrix, factor) = tangent.lend();
-    eom.tangent(s, Weights::MASS, matrix);
-    z.fill(0.0);
-    z[..rate.len()].copy_from_slice(rate);
-    matrix.multiply(z, r);
     z.copy_from_slice(r);
     solve(eom, matrix, factor, s, w, z)
 }

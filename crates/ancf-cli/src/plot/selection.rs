@@ -96,31 +96,29 @@ fn matching<'a>(word: &str, all: &'a [PlotQuantity]) -> Vec<&'a PlotQuantity> {
 
 /// True if a name matches a pattern. `*` matches any characters, `?` one character.
 fn matches(pattern: &[char], name: &[char]) -> bool {
-    // Positions in the pattern after each character of the name.
-    let mut places = closure(pattern, vec![0]);
+    let mut reached = vec![false; pattern.len() + 1];
+    reached[0] = true;
+    pass_stars(pattern, &mut reached);
     for character in name {
-        let step = |&place: &usize| match pattern.get(place) {
-            Some('*') => Some(place),
-            Some('?') => Some(place + 1),
-            Some(own) if own == character => Some(place + 1),
-            _ => None,
-        };
-        places = closure(pattern, places.iter().filter_map(step).collect());
+        let mut next = vec![false; reached.len()];
+        for (place, own) in pattern.iter().enumerate().filter(|(place, _)| reached[*place]) {
+            match own {
+                '*' => next[place] = true,
+                own if *own == '?' || own == character => next[place + 1] = true,
+                _ => {}
+            }
+        }
+        pass_stars(pattern, &mut next);
+        reached = next;
     }
-    places.contains(&pattern.len())
+    reached[pattern.len()]
 }
 
-/// Adds the positions after stars that match no character.
-fn closure(pattern: &[char], mut places: Vec<usize>) -> Vec<usize> {
-    let mut next = 0;
-    while let Some(&place) = places.get(next) {
-        if pattern.get(place) == Some(&'*') && !places.contains(&(place + 1)) {
-            places.push(place + 1);
-        }
-        next += 1;
+/// Adds the places after stars that match no character. A place is an index of the pattern.
+fn pass_stars(pattern: &[char], reached: &mut [bool]) {
+    for (place, own) in pattern.iter().enumerate() {
+        reached[place + 1] |= *own == '*' && reached[place];
     }
-    places.dedup();
-    places
 }
 
 fn unknown(name: &str, all: &[PlotQuantity]) -> String {

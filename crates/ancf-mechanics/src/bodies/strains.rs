@@ -4,7 +4,8 @@ use nalgebra::{Matrix3, Vector3};
 use super::mesh::{BeamMesh, StressLaw};
 use crate::kinematics::{VectorKind, gauss2};
 use crate::sections::{
-    DD, DE, DIRECTORS, Directors, EE, STRAINS, Strains, all_strains, linked_strain_terms, local_strain,
+    AA, AD, AE, DD, DE, DIRECTORS, Directors, EE, STRAINS, Strains, all_strains, linked_strain_terms,
+    local_strain,
 };
 
 /// Strain in a section of a flexible body.
@@ -68,6 +69,7 @@ impl BeamMesh {
             for (strain, added, factor) in linked_strain_terms(xi, self.length) {
                 products[strain] += factor * products[added];
             }
+            self.interpolate_linked_strains(state, element, xi, &mut products);
         }
         let is_line = self.elasticity == StressLaw::Line;
         let stretch = is_line.then(|| {
@@ -104,14 +106,31 @@ impl BeamMesh {
     /// is larger than the strain of the load. The deformation of the section has its own points at the nodes.
     fn interpolate_from_gauss_points(&self, state: &State, element: usize, xi: f64, products: &mut Strains) {
         let points = gauss2().map(|(at, _)| at);
-        let [first, second] = points.map(|at| {
-            let [g0, u] = self.directors(state, element, at);
-            all_strains(&g0, &u)
-        });
+        let [first, second] = points.map(|at| self.products(state, element, at));
         let part = (xi - points[0]) / (points[1] - points[0]);
         for k in (0..STRAINS).filter(|k| ![DD, DE, EE].contains(k)) {
             products[k] = first[k] + part * (second[k] - first[k]);
         }
+    }
+
+    /// Replaces strains of linked elements by linear ones: shear strains and the strains in the section by those of the nodes, where they have
+    /// energy, and the axial strain by the regression line of its parabola through the points of Simpson's rule.
+    ///
+    /// Between the nodes the shear strain also contains the rotation of the section under bending, and the strains in the section the
+    /// shortening of interpolated directors. Both are larger than those of the load.
+    fn interpolate_linked_strains(&self, state: &State, element: usize, xi: f64, products: &mut Strains) {
+        let [start, middle, end] = [0.0, 0.5, 1.0].map(|at| self.products(state, element, at));
+        for k in [AD, AE, DD, DE, EE] {
+            products[k] = start[k] + xi * (end[k] - start[k]);
+        }
+        let mean = (start[AA] + 4.0 * middle[AA] + end[AA]) / 6.0;
+        products[AA] = mean + (xi - 0.5) * (end[AA] - start[AA]);
+    }
+
+    /// Returns the strains of the pairs of directors at ξ of an element.
+    fn products(&self, state: &State, element: usize, xi: f64) -> Strains {
+        let [g0, u] = self.directors(state, element, xi);
+        all_strains(&g0, &u)
     }
 
     /// Returns the reference directors at ξ of an element, and their increments.

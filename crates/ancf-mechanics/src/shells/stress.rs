@@ -7,7 +7,7 @@ use nalgebra::Vector3;
 
 use super::laminates::to_orthonormal;
 use super::mesh::ShellMesh;
-use super::prestrain::{Factors, SurfaceLaw};
+use super::prestrain::{Factors, ReferencePoint, SurfaceLaw};
 use super::surface_stress::{SurfaceStress, direction, membrane_strain};
 use super::thin::{
     MEMBRANE, Shape, VECTORS, VOIGT, bicubic, each_sample, lagrange, sum, surface_derivatives,
@@ -148,10 +148,11 @@ impl ShellMesh {
         if factors.is_empty() {
             return [Vector3::zeros(); 2];
         }
-        let [t, s] = [[1, 0], [0, 1]].map(|order| self.derivative(at, order).reference());
+        let orders = [[1, 0], [0, 1], [2, 0], [0, 2], [1, 1]];
+        let point = ReferencePoint::of_surface(orders.map(|order| self.derivative(at, order).reference()));
         let law = self.law_at(element, local);
-        let covariant = self.prestrains().at(element, &law, [&t, &s], factors);
-        let to_local = to_orthonormal([&t, &s], &t);
+        let covariant = self.prestrains().at(element, &law, &point, factors);
+        let to_local = to_orthonormal(point.tangents.each_ref(), &point.tangents[0]);
         covariant.map(|strain| to_local * strain)
     }
 }

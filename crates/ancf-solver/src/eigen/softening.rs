@@ -33,7 +33,7 @@ pub(super) fn softening(
     Ok((softening, response))
 }
 
-/// Returns the first-order response (q₁, λ₁) to loads. Where joints carry all loads, q₁ is zero.
+/// Returns the first-order response (q₁, λ₁) to loads and prescribed displacements. Where joints carry all loads, q₁ is zero.
 fn first_order(
     eom: &dyn EquationsOfMotion,
     force: &[f64],
@@ -50,7 +50,8 @@ fn first_order(
     let work: f64 = (0..n).map(|i| force[i] * response[i]).sum();
     let mut increment = State::rest(n, m);
     increment.add(response, Weights::STIFFNESS);
-    if work.abs() <= MIN_WORK * (0..n).map(held).sum::<f64>() {
+    let is_prescribed = force[n..].iter().any(|x| *x != 0.0);
+    if !is_prescribed && work.abs() <= MIN_WORK * (0..n).map(held).sum::<f64>() {
         // Joints carry the loads. The displacements are rounding errors.
         increment.q.fill(0.0);
     }

@@ -9,6 +9,7 @@ mod null_space;
 mod products;
 mod scaled_lu;
 mod scales;
+mod skew_part;
 mod sparse_row;
 
 pub use dependences::{Dependence, dependences};
@@ -18,4 +19,5 @@ pub use inertia::inertia;
 pub use null_space::NullSpace;
 pub(crate) use products::Products;
 pub(crate) use scaled_lu::GeneralLu;
+pub(crate) use skew_part::include_skew_part;
 pub use sparse_row::{SparseRow, SparseVector, sparse_row};

@@ -241,8 +241,7 @@ impl Newton {
                 z.iter_mut().zip(&self.r[range]).for_each(|(z, r)| *z = -r);
             });
             of_multipliers.iter_mut().zip(&self.r[n..]).for_each(|(z, r)| *z = -r / w.q);
-            let Self { tangent: NewtonTangent { matrix, factor, .. }, z, .. } = self;
-            factor.solve_increment(matrix, z, &s.lambda).map_err(|_| SolveFailure::Singular)?;
+            self.tangent.solve(eom, s, w, &mut self.z)?;
             if !self.tangent.changes_tension(eom, s, &self.z) {
                 break;
             }

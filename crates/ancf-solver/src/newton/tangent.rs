@@ -6,7 +6,7 @@ use super::error::SolveFailure;
 use super::stress_prediction::StressPrediction;
 use super::tangent_usage::{TangentAge, TangentPolicy, TangentUsage};
 use crate::equations::{EquationsOfMotion, State, Weights};
-use crate::factor::{Factor, FactorHistory};
+use crate::factor::{Factor, FactorHistory, include_skew_part};
 use crate::sparse::SparseMatrix;
 
 /// Factorised tangent of Newton's method with the policy of its reuse.
@@ -232,6 +232,24 @@ impl NewtonTangent {
         (self.usage.rate, self.usage.fewest_iterations, self.usage.extra_iterations) = (None, u32::MAX, 0);
         (self.usage.solutions, self.usage.rated) = (0, 0);
         Ok(())
+    }
+
+    /// Solves for an increment with the last factors. In statics the stiffness includes its skew part, of loads without a potential:
+    /// the iteration does not converge where this part is larger than the symmetric one.
+    pub(crate) fn solve(
+        &mut self,
+        eom: &dyn EquationsOfMotion,
+        s: &State,
+        w: Weights,
+        z: &mut [f64],
+    ) -> Result<(), SolveFailure> {
+        let Self { matrix, factor, .. } = self;
+        let mut solve = |x: &mut [f64]| factor.solve_increment(matrix, x, &s.lambda);
+        let mut solved = solve(z);
+        if solved.is_ok() && w == Weights::STIFFNESS {
+            solved = include_skew_part(&eom.skew_stiffness(s), z, solve).map(|_| ());
+        }
+        solved.map_err(|_| SolveFailure::Singular)
     }
 
     /// Records the rate θ of the last two increments of a solution.

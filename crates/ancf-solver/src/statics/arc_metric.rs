@@ -1,6 +1,6 @@
 use crate::equations::{EquationsOfMotion, State, Weights};
-use crate::factor::DETERMINED;
-use crate::newton::{LinearSolution, Newton, SolveFailure, StateUpdate};
+use crate::factor::{DETERMINED, include_skew_part};
+use crate::newton::{LinearSolution, Newton, NewtonTangent, SolveFailure, StateUpdate};
 use crate::sparse::SparseMatrix;
 use crate::vectors::dot;
 
@@ -121,7 +121,11 @@ pub(crate) fn response(
     s: &State,
 ) -> Result<Vec<f64>, SolveFailure> {
     newton.tangent.prepare(eom, s, Weights::STIFFNESS)?;
-    solve_force(newton, eom.load_force(s))
+    let mut response = solve_force(newton, eom.load_force(s))?;
+    let NewtonTangent { matrix, factor, .. } = &mut newton.tangent;
+    include_skew_part(&eom.skew_stiffness(s), &mut response, |x| factor.solve(matrix, x))
+        .map_err(|_| SolveFailure::Singular)?;
+    Ok(response)
 }
 
 /// Solves as [`response`], and once more with a further step of refinement.
@@ -155,7 +159,10 @@ pub(crate) struct PlaneUpdate<'a>(pub(crate) &'a PathTangent);
 impl StateUpdate for PlaneUpdate<'_> {
     fn apply(&mut self, at: LinearSolution<'_>, s: &mut State, w: Weights) -> Result<(), SolveFailure> {
         let mut response = at.eom.load_force(s);
-        at.factor.solve(at.matrix, &mut response).map_err(|_| SolveFailure::Singular)?;
+        let mut solve = |x: &mut [f64]| at.factor.solve(at.matrix, x).map(|_| ());
+        solve(&mut response)
+            .and_then(|()| include_skew_part(&at.eom.skew_stiffness(s), &mut response, solve))
+            .map_err(|_| SolveFailure::Singular)?;
         let tangent = self.0;
         let load = -tangent.along(at.z) / (tangent.along(&response) + 0.5 * tangent.load);
         at.z.iter_mut().zip(&response).for_each(|(z, response)| *z += load * response);

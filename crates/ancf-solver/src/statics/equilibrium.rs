@@ -41,9 +41,7 @@ impl Equilibrium {
             return Err(SolveError::after(report, s.t, SolveFailure::Inadmissible(reason), worst));
         }
         let NewtonReport { iterations, residual, increment, floor } = report;
-        // With loads without a potential, an indefinite symmetric part does not imply instability.
-        let counts = |count: &usize| *count == 0 || eom.skew_stiffness(s).is_empty();
-        let (unstable, energy) = (newton.unstable(eom).filter(counts), eom.energy(s));
+        let (unstable, energy) = (unstable_directions(newton, eom, s), eom.energy(s));
         Ok(Self { iterations, attempts: 1, residual, increment, floor, unstable, energy })
     }
 
@@ -72,6 +70,13 @@ impl Equilibrium {
         self.iterations += cause.iterations;
         self.attempts += 1;
     }
+}
+
+/// Returns the number of [unstable directions](Equilibrium::unstable) of an equilibrium.
+pub(super) fn unstable_directions(newton: &Newton, eom: &dyn EquationsOfMotion, s: &State) -> Option<usize> {
+    // With loads without a potential, an indefinite symmetric part does not imply instability.
+    let counts = |count: &usize| *count == 0 || eom.skew_stiffness(s).is_empty();
+    newton.unstable(eom).filter(counts)
 }
 
 /// Rejects an equilibrium that is too far from the previous one. Returns the largest rotation relative to its limit.

@@ -46,7 +46,7 @@ pub(crate) fn capabilities(model: &IndexedModel<'_>) -> Vec<Finding> {
             })
             .collect::<Vec<_>>()
     });
-    joints.chain(loads).chain(probes).chain(arms(model)).collect()
+    joints.chain(loads).chain(probes).chain(arms(model)).chain(section_points(model)).collect()
 }
 
 fn rule(
@@ -99,6 +99,30 @@ fn arms(model: &IndexedModel<'_>) -> Vec<Finding> {
             );
             Some(error.rests_on(["bodies".into()]))
         }
+    });
+    unfit.collect()
+}
+
+/// Checks that points of sections are on bodies with sections.
+fn section_points(model: &IndexedModel<'_>) -> Vec<Finding> {
+    let probes = model.probes.iter().enumerate().filter(|(_, probe)| probe.offset != [0.0; 2]);
+    let unfit = probes.filter_map(|(i, probe)| {
+        let (found, expected) = match body(model, &probe.on)?.1 {
+            Body::Beam(_) => return None,
+            Body::Cable(_) => (
+                "an offset on a cable",
+                "no offset: the strain of a cable is that of its axis; \"section_forces\" contain its bending moment",
+            ),
+            Body::Shell(_) | Body::ShearShell(_) => {
+                ("an offset on a shell", "no offset: a shell has no cross-section; `on.offset` is an arm")
+            }
+            Body::Rigid(_) => (
+                "an offset on a rigid body",
+                "no offset: a rigid body has no cross-section; `on.offset` is an arm",
+            ),
+            Body::Mass(_) => ("an offset on a point mass", "no offset: a point mass has no cross-section"),
+        };
+        Some(finding(format!("probes[{i}].offset"), found, expected).rests_on(["bodies".into()]))
     });
     unfit.collect()
 }

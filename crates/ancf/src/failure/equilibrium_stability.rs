@@ -71,9 +71,13 @@ impl EquilibriumStability {
             } else {
                 "`unstable = \"leave\"`, a small imperfection or a side load leads to a stable equilibrium"
             };
+            let consequence = if assembly.system.skew_damping(s).is_empty() {
+                "no structure stays in it"
+            } else {
+                "no structure stays in it unless Coriolis forces stabilise it (modes with `about = \"equilibrium\"` and `damped = true`)"
+            };
             warnings.push(format!(
-                "the last equilibrium, at load factor {}, is unstable in {}{place} (buckling or snap-through): no \
-                 structure stays in it; {advice}",
+                "the last equilibrium, at load factor {}, is unstable in {}{place} (buckling or snap-through): {consequence}; {advice}",
                 short(self.load),
                 directions(count)
             ));

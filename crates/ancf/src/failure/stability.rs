@@ -36,7 +36,8 @@ pub(crate) fn is_supported(assembly: &Assembly) -> bool {
     assembly.free_motions(&unloaded(assembly)).is_some_and(|motions| motions.is_empty())
 }
 
-/// Instability of a state under its loads and inertia forces. The model must be [supported](is_supported).
+/// Instability of a state under its loads and inertia forces; `None` also with loads without a potential, where an indefinite symmetric
+/// part of the stiffness does not imply instability. The model must be [supported](is_supported).
 ///
 /// Source: Sylvester's law of inertia (1852), applied to the factors of [K, Φ_qᵀ; Φ_q, 0].
 pub(crate) fn instability(assembly: &Assembly, s: &State) -> Option<Instability> {
@@ -59,7 +60,7 @@ fn instability_of(
     let mut factor = Factor::new(k.pattern()).ok()?;
     factor.factorise(&k).ok()?;
     let count = factor.negative_pivots().or_else(|| inertia(&k))?.checked_sub(system.multipliers())?;
-    if count == 0 {
+    if count == 0 || !system.skew_stiffness(s).is_empty() {
         return None;
     }
     let n = s.q.len();

@@ -1,6 +1,6 @@
 //! Stability of the states of a dynamic analysis, examined at intervals. Buckling becomes a warning.
 
-use ancf_solver::equations::State;
+use ancf_solver::equations::{EquationsOfMotion, State};
 use serde::{Deserialize, Serialize};
 
 use super::stability::{Instability, instability, is_supported};
@@ -77,8 +77,11 @@ impl StabilityMonitor {
             return;
         }
         self.next = (s.t + self.interval, steps + STEPS);
-        let found = instability(assembly, s).filter(|found| is_on_beam(assembly, found.at));
-        self.add(s.t, found);
+        // Coriolis forces may stabilise a state without stiffness, such as a shaft above its critical speed.
+        let counts = |found: &Instability| {
+            is_on_beam(assembly, found.at) && assembly.system.skew_damping(s).is_empty()
+        };
+        self.add(s.t, instability(assembly, s).filter(counts));
     }
 
     /// Warning of the first persistent instability.

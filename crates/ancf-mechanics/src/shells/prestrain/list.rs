@@ -6,6 +6,7 @@ use nalgebra::Vector3;
 
 use super::law_element::LawElement;
 use super::law_term::LawPrestrain;
+use super::reference_point::ReferencePoint;
 use super::source::{Covariant, Factors, SurfaceLaw, SurfacePrestrain, each_part, factors};
 use super::term::ShellPrestrain;
 
@@ -86,12 +87,12 @@ impl SurfacePrestrains {
         factors(&self.sources, state.t, state.load)
     }
 
-    /// Returns the prescribed strains of an element at a point with reference tangents, for factors of the sources.
+    /// Returns the prescribed strains of an element at a point of its reference surface, for factors of the sources.
     pub(crate) fn at(
         &self,
         element: usize,
         law: &SurfaceLaw,
-        tangents: [&Vector3<f64>; 2],
+        point: &ReferencePoint,
         factors: &Factors,
     ) -> Covariant {
         let mut sum = [Vector3::zeros(); 2];
@@ -99,7 +100,7 @@ impl SurfacePrestrains {
         let (here, factors): (Vec<&SurfacePrestrain>, Vec<&[f64; 2]>) = covering.unzip();
         each_part(&here, |sources, field| {
             let factor: f64 = sources.iter().flatten().map(|k| factors[*k][0]).product();
-            sum.iter_mut().zip(field(law, tangents)).for_each(|(sum, strain)| *sum += strain * factor);
+            sum.iter_mut().zip(field(law, point)).for_each(|(sum, strain)| *sum += strain * factor);
         });
         sum
     }

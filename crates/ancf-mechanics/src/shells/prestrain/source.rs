@@ -1,6 +1,7 @@
 use nalgebra::{Matrix3, SMatrix, SVector, Vector3};
 use smallvec::SmallVec;
 
+use super::reference_point::ReferencePoint;
 use crate::functions::Function;
 use crate::shells::laminates::{ShellSection, strain_components, strain_tensor, to_orthonormal};
 
@@ -38,8 +39,8 @@ pub(crate) struct SurfaceLaw {
 /// Membrane strains and curvatures in covariant components (ξξ, ηη, 2 ξη).
 pub(crate) type Covariant = [Vector3<f64>; 2];
 
-/// Field of strains: covariant components for the law and the reference tangents r_ξ and r_η at a point.
-pub(crate) type StrainField<'a> = &'a dyn Fn(&SurfaceLaw, [&Vector3<f64>; 2]) -> Covariant;
+/// Field of strains: covariant components for the law and the reference surface at a point.
+pub(crate) type StrainField<'a> = &'a dyn Fn(&SurfaceLaw, &ReferencePoint) -> Covariant;
 
 /// Factors of sources with their rates.
 pub(crate) type Factors = SmallVec<[[f64; 2]; 4]>;
@@ -55,10 +56,10 @@ pub(super) fn each_part(
     mut visit: impl FnMut([Option<usize>; 2], StrainField<'_>),
 ) {
     for (k, source) in sources.iter().enumerate() {
-        visit([Some(k), None], &|law, tangents| source.linear(law, tangents));
+        visit([Some(k), None], &|law, point| source.linear(law, point));
         for other in 0..=k {
             let second = (other < k).then(|| sources[other]);
-            visit([Some(k), Some(other)], &|law, tangents| source.quadratic(second, law, tangents));
+            visit([Some(k), Some(other)], &|law, point| source.quadratic(second, law, point));
         }
     }
 }
@@ -75,17 +76,28 @@ impl SurfacePrestrain {
         [load * function.value, load * function.rate]
     }
 
-    fn to_orthonormal(&self, law: &SurfaceLaw, [t, s]: [&Vector3<f64>; 2]) -> Matrix3<f64> {
+    fn to_orthonormal(
+        &self,
+        law: &SurfaceLaw,
+        ReferencePoint { tangents: [t, s], .. }: &ReferencePoint,
+    ) -> Matrix3<f64> {
         to_orthonormal([t, s], &self.axis.or(law.stress_axis).unwrap_or(*t))
     }
 
-    /// Returns the strains at a point with reference tangents that are linear in the factor.
-    fn linear(&self, law: &SurfaceLaw, tangents: [&Vector3<f64>; 2]) -> Covariant {
-        let to_local = self.to_orthonormal(law, tangents);
+    /// Returns the strains at a point that are linear in the factor.
+    ///
+    /// Elongations ε⁰ of a surface with the curvature b change its covariant curvature to (1 + ε⁰) b, since they do not rotate its
+    /// normals: the free surface has κ⁰ = ½ (ε⁰ b + b ε⁰).
+    fn linear(&self, law: &SurfaceLaw, point: &ReferencePoint) -> Covariant {
+        let to_local = self.to_orthonormal(law, point);
         // A singular reference surface is reported elsewhere: its strains are NaN.
         let from_local = to_local.try_inverse().unwrap_or_else(|| Matrix3::repeat(f64::NAN));
-        let mut strains = [from_local * self.strain, from_local * self.curvature];
+        let [strain, reference] = [self.strain, to_local * point.curvature].map(|x| strain_tensor(&x));
+        let curvature =
+            self.curvature + strain_components(&((strain * reference + reference * strain) * 0.5));
+        let mut strains = [from_local * self.strain, from_local * curvature];
         if self.tension != Vector3::zeros() {
+            let tangents = point.tangents.each_ref();
             let [strain, curvature] = slack(law, tangents, &(to_local.transpose() * self.tension));
             strains = [strains[0] + strain, strains[1] + curvature];
         }
@@ -93,15 +105,15 @@ impl SurfacePrestrain {
     }
 
     /// Returns Green's strain ½ (ε⁰_a ε⁰_b + ε⁰_b ε⁰_a) of the elongations of two sources, half of it for equal sources.
-    fn quadratic(&self, other: Option<&Self>, law: &SurfaceLaw, tangents: [&Vector3<f64>; 2]) -> Covariant {
-        let own = self.to_orthonormal(law, tangents);
+    fn quadratic(&self, other: Option<&Self>, law: &SurfaceLaw, point: &ReferencePoint) -> Covariant {
+        let own = self.to_orthonormal(law, point);
         let mut strain = strain_tensor(&self.strain);
         strain = match other {
             None => strain * strain * 0.5,
             Some(other) => {
                 let turned = own
                     * other
-                        .to_orthonormal(law, tangents)
+                        .to_orthonormal(law, point)
                         .try_inverse()
                         .unwrap_or_else(|| Matrix3::repeat(f64::NAN));
                 let second = strain_tensor(&(turned * other.strain));

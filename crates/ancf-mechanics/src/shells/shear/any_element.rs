@@ -8,10 +8,10 @@ use nalgebra::{DVector, Vector3};
 use super::ShearMedium;
 use super::element::{ShearElement, Shell18, Shell24};
 use super::faces::{NODES, Shape};
-use super::profile::tangents;
+use super::profile::{reference_point, tangents};
 use super::strains::{ShearTables, Vectors};
 use crate::shells::laminates::SectionField;
-use crate::shells::prestrain::{ElementPrestrain, SurfacePrestrain};
+use crate::shells::prestrain::{ElementPrestrain, ReferencePoint, SurfacePrestrain};
 use crate::shells::surface_stress::membrane_strain;
 
 /// Element of a mesh: a quadrilateral or a triangle.
@@ -33,6 +33,8 @@ pub(crate) trait ElementData {
     fn areas(&self) -> [f64; NODES];
     /// Returns the tangents of the reference surface at a point.
     fn tangents(&self, at: [f64; 2]) -> [Vector3<f64>; 2];
+    /// Returns a point of the reference surface.
+    fn reference_point(&self, at: [f64; 2]) -> ReferencePoint;
     /// Returns the strain energy for displacements of the nodal vectors.
     fn strain_energy(&self, u: &[Vector3<f64>]) -> f64;
     /// Returns the strains of the surface with the enhanced ones, at its integration points, for displacements of the nodal
@@ -67,6 +69,10 @@ impl<const V: usize, const S: usize, const C: usize> ElementData for ShearElemen
 
     fn tangents(&self, at: [f64; 2]) -> [Vector3<f64>; 2] {
         tangents(self.profile.shape, at, &self.profile.reference).0
+    }
+
+    fn reference_point(&self, at: [f64; 2]) -> ReferencePoint {
+        reference_point(self.profile.shape, at, &self.profile.reference)
     }
 
     fn strain_energy(&self, u: &[Vector3<f64>]) -> f64 {

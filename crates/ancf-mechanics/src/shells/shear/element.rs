@@ -5,7 +5,7 @@ use ancf_solver::equations::{
 };
 use nalgebra::Vector3;
 
-use super::profile::{ShearProfile, tangents, volume};
+use super::profile::{ShearProfile, reference_point, tangents, volume};
 use super::strains::{Fields, Gradients, SURFACE, ShearTables, Strains, Vectors, Weighting, interpolate};
 use crate::kinematics::relative_rotation;
 use crate::shells::laminates::LocalSection;
@@ -316,8 +316,8 @@ impl<const V: usize, const S: usize, const C: usize> StrainedElement for ShearEl
     fn sampled(&self, field: StrainField<'_>) -> Strains<S> {
         let (profile, mut strains) = (&self.profile, Strains::<S>::zeros());
         for (k, (at, _)) in profile.shape.surface_points().iter().enumerate() {
-            let ([t, s], _) = tangents(profile.shape, *at, &profile.reference);
-            for (kind, own) in field(&profile.law(k, [&t, &s]), [&t, &s]).iter().enumerate() {
+            let point = reference_point(profile.shape, *at, &profile.reference);
+            for (kind, own) in field(&profile.law(k, point.tangents.each_ref()), &point).iter().enumerate() {
                 strains.fixed_rows_mut::<3>(SURFACE * k + 3 * kind).copy_from(own);
             }
         }

@@ -8,7 +8,7 @@ use super::strains::{
 use crate::shells::laminates::{
     LocalSection, MembranePoints, ShellSection, ThickSection, strain_transform, to_orthonormal,
 };
-use crate::shells::prestrain::SurfaceLaw;
+use crate::shells::prestrain::{ReferencePoint, SurfaceLaw};
 
 /// Number of enhanced membrane strain modes of a quadrilateral. A triangle and an element with a law of the membrane have none.
 const MODES: usize = 5;
@@ -71,6 +71,13 @@ pub(crate) struct ShearProfile<const V: usize, const S: usize> {
 
 /// Sections at the [`section_places`](Shape::section_places) of an element; none for equal sections.
 type Sections = Vec<LocalSection>;
+
+/// Returns a point of the reference surface with the nodal vectors x.
+pub(crate) fn reference_point(shape: Shape, at: [f64; 2], x: &[Vector3<f64>]) -> ReferencePoint {
+    let [_, of_x, of_y] = shape.values(at);
+    let [tangents, directors] = [0, 1].map(|kind| [of_x, of_y].map(|of| interpolate(&of, kind, x)));
+    ReferencePoint::of_directors(tangents, directors)
+}
 
 /// Tangents of the reference surface at a point, and its area per unit of ξ and η.
 pub(crate) fn tangents(shape: Shape, at: [f64; 2], x: &[Vector3<f64>]) -> ([Vector3<f64>; 2], f64) {

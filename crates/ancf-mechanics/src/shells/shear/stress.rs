@@ -132,10 +132,9 @@ impl ShearShellMesh {
             return [Vector3::zeros(); 2];
         }
         let data = self.elements()[place.element].data();
-        let ([t, s], axis) = (data.tangents(place.at), data.medium().axis);
-        let law = self.law_at(place);
-        let covariant = self.prestrains().at(place.element, &law, [&t, &s], factors);
-        let to_local = to_orthonormal([&t, &s], &axis);
+        let (point, law) = (data.reference_point(place.at), self.law_at(place));
+        let covariant = self.prestrains().at(place.element, &law, &point, factors);
+        let to_local = to_orthonormal(point.tangents.each_ref(), &data.medium().axis);
         covariant.map(|strain| to_local * strain)
     }
 }

@@ -14,7 +14,7 @@ use super::surface_state::{ShellStrains, SurfaceState, surface_areas};
 use super::tables::{POINTS, ShellTables, sum};
 use crate::kinematics::relative_rotation;
 use crate::shells::laminates::SectionField;
-use crate::shells::prestrain::{StrainField, StrainedElement};
+use crate::shells::prestrain::{ReferencePoint, StrainField, StrainedElement};
 
 /// Area of the surface, relative to the reference, below which an element counts as inverted.
 const CRUSHED: f64 = 1e-2;
@@ -350,13 +350,14 @@ impl StrainedElement for Shell48 {
 
     fn sampled(&self, field: StrainField<'_>) -> ShellStrains {
         let (profile, mut strains) = (&self.profile, ShellStrains::ZERO);
-        let at = |place: usize, [t, s]: [&Vector3<f64>; 2]| field(&profile.law(place, [t, s]), [t, s]);
-        for (k, ([t, s], sample)) in profile.samples.iter().zip(&self.tables.samples).enumerate() {
-            strains.membrane[k] = at(POINTS + k, [t, s])[0][sample.component];
+        let at = |place: usize, point: ReferencePoint| {
+            field(&profile.law(place, point.tangents.each_ref()), &point)
+        };
+        for (k, (tangents, sample)) in profile.samples.iter().zip(&self.tables.samples).enumerate() {
+            strains.membrane[k] = at(POINTS + k, ReferencePoint::flat(*tangents))[0][sample.component];
         }
         for k in 0..POINTS {
-            let [t, s, ..] = profile.points.at(k).reference;
-            strains.set_bending(k, &at(k, [&t, &s])[1]);
+            strains.set_bending(k, &at(k, ReferencePoint::of_surface(profile.points.at(k).reference))[1]);
         }
         strains
     }

@@ -4,7 +4,7 @@ use crate::equations::{EquationsOfMotion, State, Weights};
 use crate::newton::{Newton, SolveError};
 
 /// Largest difference of the parts of two intervals, relative to the part, and smallest part, relative to all accelerations.
-const AGREE: f64 = 0.1;
+const AGREE: f64 = 0.02;
 const NEGLIGIBLE: f64 = 1e-6;
 /// First interval of the differences, relative to the step, factor between intervals, and their largest number. Rounding errors grow with
 /// the square of the factor.

@@ -253,13 +253,7 @@ fn rules_of_probes(model: &IndexedModel<'_>) -> Vec<Finding> {
     let on_shells = probes.filter(|(_, probe)| is_on_shell(model, &probe.on));
     let rule = |(i, probe): (usize, &crate::model::Probe)| {
         let path = format!("probes[{i}]");
-        if matches!(probe.on.at, At::Edge(_)) {
-            return Some(finding(format!("{path}.on.at"), "an edge", "a point"));
-        }
-        (probe.offset != [0.0; 2]).then(|| {
-            let expected = "no offset: a shell has no cross-section; `on.offset` is an arm";
-            finding(format!("{path}.offset"), "an offset on a shell", expected)
-        })
+        matches!(probe.on.at, At::Edge(_)).then(|| finding(format!("{path}.on.at"), "an edge", "a point"))
     };
     on_shells.filter_map(rule).collect()
 }

@@ -4,7 +4,7 @@ use nalgebra::{Matrix3, Vector3};
 use super::mesh::{BeamMesh, StressLaw};
 use crate::kinematics::{VectorKind, gauss2};
 use crate::sections::{
-    AA, AD, AE, DD, DE, DIRECTORS, Directors, EE, STRAINS, Strains, all_strains, linked_strain_terms,
+    AA, AD, AE, BE, CD, DD, DE, DIRECTORS, Directors, EE, STRAINS, Strains, all_strains, linked_strain_terms,
     local_strain,
 };
 
@@ -40,19 +40,35 @@ impl SectionStrain {
     }
 }
 
+/// Shear strains of the warping of a section by a twist, for the gradient of the warping function.
+fn warped(twist: f64, [y, z]: [f64; 2]) -> Matrix3<f64> {
+    let [y, z] = [y, z].map(|slope| 0.5 * twist * slope);
+    Matrix3::new(0.0, y, z, y, 0.0, 0.0, z, 0.0, 0.0)
+}
+
 impl BeamMesh {
-    /// Returns the Green-Lagrange strain and the second Piola-Kirchhoff stress at (y, z) of the section at an arc
-    /// length.
+    /// Returns the Green-Lagrange strain and the second Piola-Kirchhoff stress at a point of the section at an arc
+    /// length: its coordinates (y, z), and the gradient of the warping function of the section there.
     ///
     /// The components refer to the frame of the reference section. The stress follows the formulation and the strain less the [prescribed one](Self::prestrain). A rod has normal
     /// stresses E times normal strains, plus the stress of lateral contraction on the axis. Shear stresses are G times
-    /// shear strains, without torsion and shear correction factors, which are averages over a section. A cable has
-    /// stretch ε and stress E ε.
-    pub fn strain_and_stress(&self, state: &State, s: f64, point: [f64; 2]) -> [Matrix3<f64>; 2] {
+    /// shear strains. Those of torsion contain the warping; those of shear forces have no correction factor, which is an average over a
+    /// section. A cable has stretch ε and stress E ε.
+    pub fn strain_and_stress(
+        &self,
+        state: &State,
+        s: f64,
+        (point, warping): ([f64; 2], [f64; 2]),
+    ) -> [Matrix3<f64>; 2] {
         let section = self.section_strain(state, s);
-        let (strain, elastic) = (section.at(point), section.elastic_at(point));
+        let (mut strain, mut elastic) = (section.at(point), section.elastic_at(point));
         if section.stretch.is_some() {
             return [strain, elastic * self.lame.young()];
+        }
+        if let StressLaw::Rod { .. } = self.elasticity {
+            let twist = |of: &Strains| 0.5 * (of[BE] - of[CD]);
+            strain += warped(twist(&section.products), warping);
+            elastic += warped(twist(&section.products) - twist(&section.prescribed), warping);
         }
         [strain, self.stress(&elastic, &section.elastic_at([0.0; 2]))]
     }

@@ -72,7 +72,9 @@ impl StationQuantity {
             match simulation.assembly().body_of(station.body).mesh() {
                 None => to.extend([f64::NAN; ENTRIES.len()]),
                 Some(mesh) => {
-                    let tensor = mesh.strain_and_stress(s, station.s / length, offset)[which];
+                    let at = station.s / length;
+                    let warping = simulation.warping_gradient(station.body, at, offset);
+                    let tensor = mesh.strain_and_stress(s, at, (offset, warping))[which];
                     to.extend(ENTRIES.map(|entry| tensor[entry] * unit));
                 }
             }

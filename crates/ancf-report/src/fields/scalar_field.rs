@@ -175,7 +175,7 @@ impl<'a> ScalarFields<'a> {
         let forces = [n, qy, qz, t, my, mz];
         let stress = section.largest_stress(forces);
         let (shear, equivalent) = (section.largest_shear(forces), section.von_mises(forces));
-        let [strain, _] = mesh.strain_and_stress(s, station.s / self.scales.length, [0.0; 2]);
+        let strain = mesh.section_strain(s, station.s / self.scales.length).at([0.0; 2]);
         let axes = if section.has_axes { [my, mz] } else { [f64::NAN; 2] };
         [n, qy.hypot(qz), t, my.hypot(mz), axes[0], axes[1], stress, shear, equivalent, strain[(0, 0)]]
     }

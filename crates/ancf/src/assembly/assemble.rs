@@ -87,9 +87,13 @@ impl IndexedModel<'_> {
         let recorded = self.probes.iter().flat_map(|probe| {
             let (body, s, place) = self.probed(bodies, probe);
             let surface = self.bodies[body].shell_place(&probe.on.at);
+            let warping = match bodies[body].1.mesh() {
+                Some(_) => self.warping_gradient(&self.bodies[body], s, probe.offset),
+                None => [0.0; 2],
+            };
             probe.record.iter().map(move |&quantity| {
                 let (name, place, offset) = (probe.name.clone(), place.clone(), probe.offset);
-                RecordedQuantity { name, quantity, place, body, s, offset, surface }
+                RecordedQuantity { name, quantity, place, body, s, offset, warping, surface }
             })
         });
         recorded.collect()

@@ -66,6 +66,8 @@ pub struct RecordedQuantity {
     pub s: f64,
     /// Coordinates (y, z) in the section.
     pub offset: [f64; 2],
+    /// Gradient of the warping function there.
+    pub warping: [f64; 2],
     /// Place on a shell.
     pub surface: Option<ShellPlace>,
 }

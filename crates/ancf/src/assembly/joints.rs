@@ -29,7 +29,10 @@ fn signal_of_joint(recorded: &RecordedCoordinate, column: &str, scales: Scales) 
             return Some(Signal::rate(SignalSource::Coordinate(own), time.recip(), *start));
         }
         (Source::Gas(_), _) if is_rate => return None,
-        (Source::Gas(gas), Some(own)) => (SignalSource::Coordinate(own), gas.reference_volume()),
+        (Source::Gas(gas), Some(own)) => {
+            let (source, offset) = (SignalSource::Coordinate(own), gas.reference_volume() * unit);
+            return Some(Signal::value(source, gas.area() * unit, offset));
+        }
         (Source::Position(start), Some(own)) => (SignalSource::Coordinate(own), *start),
         (Source::Angle { .. } | Source::Projection(_) | Source::Displacement(_), Some(own)) => {
             (SignalSource::Coordinate(own), 0.0)

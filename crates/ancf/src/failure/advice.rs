@@ -106,7 +106,8 @@ pub(crate) const fn advice_for_eigen(error: EigenError) -> &'static str {
         }
         EigenError::Nonconservative => {
             "modes with `about = \"equilibrium\"` under several loads: flutter begins where two frequencies meet; loads of \
-             fixed direction have critical loads; fewer loads without a potential if this is an analysis of modes"
+             fixed direction have critical loads, and so has a constant pressure between held edges as a `gas` with `exponent = 0`; fewer \
+             loads without a potential if this is an analysis of modes"
         }
         EigenError::Gyroscopic => "modes with `damped = true`, which include gyroscopic forces",
         EigenError::NotDifferentiable => {

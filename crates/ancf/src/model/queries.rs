@@ -72,6 +72,12 @@ impl Model {
         }
     }
 
+    /// Gradient of the warping function of a section of a flexible body at an arc length and at (y, z) of the section.
+    pub(crate) fn warping_gradient(&self, body: &Body, s: f64, at: [f64; 2]) -> [f64; 2] {
+        let part = (s / body.length()).clamp(0.0, 1.0);
+        self.section_at(body, part).map_or([0.0; 2], |section| section.shape().warping_gradient(at))
+    }
+
     /// Treatment of functions of time in the analysis of the model.
     pub(crate) const fn time_mode(&self) -> TimeMode {
         if self.analysis.dynamics().is_some() { TimeMode::AsGiven } else { TimeMode::One }

@@ -256,7 +256,7 @@ impl Rows {
                 }
                 Quantity::Strain | Quantity::Stress => {
                     let Some(mesh) = assembly.body_of(probe.body).mesh() else { continue };
-                    let [strain, stress] = mesh.strain_and_stress(s, probe.s, probe.offset);
+                    let [strain, stress] = mesh.strain_and_stress(s, probe.s, (probe.offset, probe.warping));
                     if probe.quantity == Quantity::Strain {
                         self.push_entries(&strain, Dimension::NUMBER);
                     } else {

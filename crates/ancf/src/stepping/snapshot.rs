@@ -27,7 +27,7 @@ struct Snapshot {
 }
 
 /// First bytes of a snapshot. The last of them is the version of the format.
-const HEAD: [u8; 8] = *b"ANCFSS\0\x03";
+const HEAD: [u8; 8] = *b"ANCFSS\0\x04";
 /// Length of the hash at the end.
 const HASH: usize = 8;
 

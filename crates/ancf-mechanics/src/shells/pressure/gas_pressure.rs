@@ -6,13 +6,14 @@ use ancf_solver::equations::{
 
 use crate::functions::Function;
 
-/// Gas in an enclosed volume V₀ + v, with the massless coordinate v: U = −∫ (p − p_a) dv.
+/// Gas in an enclosed volume V₀ + v: U = −∫ (p − p_a) dv. The massless coordinate is the length x = v/A with the area A = V₀^(2/3), such that its
+/// stiffness is comparable with those of displacements in any units.
 ///
 /// p = [p_a + s (p₀ − p_a)] (m(t) V₀/V)^κ, with the pressure p_a outside, the exponent κ of a polytropic change and the amount m of gas relative to
 /// that in the undeformed state. Added gas has the state of the gas inside. The load factor s of statics brings the gas from the
 /// pressure outside to p₀. The gas has no mass.
 ///
-/// The constraint of [`EnclosedVolume`](super::EnclosedVolume) determines v; its multiplier is p_a − p. The energy is zero at V₀. The rate of m supplies the power
+/// The constraint of [`EnclosedVolume`](super::EnclosedVolume) determines x; its multiplier is p_a − p. The energy is zero at V₀. The rate of m supplies the power
 /// ∂U/∂t.
 ///
 /// Units: p pressure, V volume.
@@ -21,6 +22,7 @@ pub struct GasPressure {
     coordinate: [usize; 1],
     multiplier: usize,
     volume: f64,
+    area: f64,
     pressure: f64,
     ambient: f64,
     exponent: f64,
@@ -28,7 +30,7 @@ pub struct GasPressure {
 }
 
 impl GasPressure {
-    /// Creates a gas in the undeformed volume V₀, with the coordinate v and the multiplier of its constraint.
+    /// Creates a gas in the undeformed volume V₀, with the coordinate x and the multiplier of its constraint.
     ///
     /// `pressures` are p₀ and p_a.
     pub fn new(
@@ -38,18 +40,29 @@ impl GasPressure {
         exponent: f64,
         amount: Function,
     ) -> Self {
-        Self { coordinate: [coordinate], multiplier, volume, pressure, ambient, exponent, amount }
+        let area = volume.powf(2.0 / 3.0);
+        Self { coordinate: [coordinate], multiplier, volume, area, pressure, ambient, exponent, amount }
     }
 
     /// Returns the volume of the gas and its pressure in a state.
     pub fn volume_and_pressure(&self, s: &State) -> [f64; 2] {
-        let v = s.q[self.coordinate[0]];
+        let v = self.area * s.q[self.coordinate[0]];
         [self.volume + v, self.absolute(v, s.t, s.load)]
     }
 
     /// Returns the undeformed volume V₀.
     pub const fn reference_volume(&self) -> f64 {
         self.volume
+    }
+
+    /// Returns the area A by which the coordinate is multiplied.
+    pub const fn area(&self) -> f64 {
+        self.area
+    }
+
+    /// Returns the change v of the volume.
+    fn change(&self, at: &Local<'_>) -> f64 {
+        self.area * at.q[X]
     }
 
     /// Returns ln(V/V₀).
@@ -75,8 +88,8 @@ impl GasPressure {
     }
 }
 
-/// Position of v among the unknowns of the term, and of the multiplier.
-const V: usize = 0;
+/// Position of x among the unknowns of the term, and of the multiplier.
+const X: usize = 0;
 const ROW: usize = 1;
 
 impl Term for GasPressure {
@@ -101,22 +114,25 @@ impl Term for GasPressure {
     }
 
     fn residual(&self, at: &Local<'_>, r: &mut [f64]) {
-        r[V] += self.ambient - self.absolute(at.q[V], at.t, at.load) - at.lambda[0];
-        r[ROW] -= at.q[V];
+        let v = self.change(at);
+        r[X] += self.area * (self.ambient - self.absolute(v, at.t, at.load) - at.lambda[0]);
+        r[ROW] -= v;
     }
 
     fn rounding(&self, at: &Local<'_>, floor: &mut [f64]) {
-        let pressure = self.absolute(at.q[V], at.t, at.load);
-        let stiffness = self.exponent * pressure / (self.volume + at.q[V]);
-        floor[V] +=
-            f64::EPSILON * (self.ambient + 8.0 * pressure + stiffness * at.q[V].abs() + at.lambda[0].abs());
-        floor[ROW] += f64::EPSILON * at.q[V].abs();
+        let v = self.change(at);
+        let pressure = self.absolute(v, at.t, at.load);
+        let stiffness = self.exponent * pressure / (self.volume + v);
+        let sum = self.ambient + 8.0 * pressure + stiffness * v.abs() + at.lambda[0].abs();
+        floor[X] += f64::EPSILON * self.area * sum;
+        floor[ROW] += f64::EPSILON * v.abs();
     }
 
     fn tangent(&self, at: &Local<'_>, w: Weights, k: &mut LocalMatrix<'_>) {
-        let stiffness = self.exponent * self.absolute(at.q[V], at.t, at.load) / (self.volume + at.q[V]);
-        k.add(V, V, w.q * stiffness);
-        k.add(ROW, V, -1.0);
+        let v = self.change(at);
+        let stiffness = self.exponent * self.absolute(v, at.t, at.load) / (self.volume + v);
+        k.add(X, X, w.q * stiffness * self.area * self.area);
+        k.add(ROW, X, -self.area);
     }
 
     fn average_residual(&self, step: &LocalStep<'_>, r: &mut [f64]) {
@@ -125,17 +141,22 @@ impl Term for GasPressure {
 
     fn energy(&self, at: &Local<'_>) -> Energy {
         let amount = self.amount.value(at.t).powf(self.exponent);
-        let of_gas = self.initial(at.load) * amount * self.integral(at.q[V]);
-        Energy { potential: of_gas + self.ambient * at.q[V], ..Energy::default() }
+        let v = self.change(at);
+        let of_gas = self.initial(at.load) * amount * self.integral(v);
+        Energy { potential: of_gas + self.ambient * v, ..Energy::default() }
     }
 
     fn supplied_power(&self, at: &Local<'_>) -> f64 {
+        if self.exponent == 0.0 {
+            // The pressure does not depend on the amount, which may be zero.
+            return 0.0;
+        }
         let amount = self.amount.at(at.t);
         let rate = self.exponent * amount.value.powf(self.exponent - 1.0) * amount.rate;
-        self.initial(at.load) * rate * self.integral(at.q[V])
+        self.initial(at.load) * rate * self.integral(self.change(at))
     }
 
     fn inadmissibility(&self, at: &Local<'_>) -> Option<Inadmissibility> {
-        (self.volume + at.q[V] <= 0.0).then_some(Inadmissibility::EmptyVolume)
+        (self.volume + self.change(at) <= 0.0).then_some(Inadmissibility::EmptyVolume)
     }
 }

@@ -39,6 +39,15 @@ impl SectionShape for Ellipse {
         PI * (a * b).powi(3) / (a * a + b * b)
     }
 
+    /// ω = −(a² − b²)/(a² + b²) y z.
+    ///
+    /// Source: Timoshenko & Goodier (1970), section 105.
+    fn warping_gradient(&self, [y, z]: [f64; 2]) -> [f64; 2] {
+        let [a, b] = [self.height, self.width].map(|side| side * side);
+        let factor = (b - a) / (a + b);
+        [factor * z, factor * y]
+    }
+
     /// 12(1+ν)a²(3a²+b²)/((40+37ν)a⁴ + (16+10ν)a²b² + νb⁴), with the semi-axis a along the force and the semi-axis b normal to it.
     ///
     /// For ν < 0 the formula fails for flat ellipses: the factor along the shorter axis is large, infinite or negative.

@@ -52,6 +52,34 @@ impl SectionShape for Rectangle {
         a * b.powi(3) * (1.0 / 3.0 - 64.0 * b / (PI.powi(5) * a) * (ODD_FIFTHS - rest))
     }
 
+    /// With a = h ≤ b = w, over odd n and with the shear strains of the twist κ,
+    ///
+    /// 2E_xy = −(8κa/π²) Σ ± sinh(nπz/a)/cosh(nπb/2a) cos(nπy/a)/n²,
+    /// 2E_xz = 2κy − (8κa/π²) Σ ± cosh(nπz/a)/cosh(nπb/2a) sin(nπy/a)/n².
+    ///
+    /// If the height is larger, the section is turned by a right angle. Points outside have the values of the edge.
+    ///
+    /// Source: Timoshenko & Goodier (1970), section 109.
+    fn warping_gradient(&self, [y, z]: [f64; 2]) -> [f64; 2] {
+        let Self { height, width } = *self;
+        if height > width {
+            let [of_y, of_z] = Self { height: width, width: height }.warping_gradient([z, -y]);
+            return [-of_z, of_y];
+        }
+        let (y, z) = (y.clamp(-0.5 * height, 0.5 * height), z.clamp(-0.5 * width, 0.5 * width));
+        let [mut along_y, mut along_z] = [0.0, 2.0 * y];
+        for k in 0..TERMS {
+            let n = f64::from(2 * k + 1);
+            let (p, sign) = (n * PI / height, if k % 2 == 0 { 1.0 } else { -1.0 });
+            // Of sinh and cosh, relative to cosh(½pb), without overflow.
+            let [near, far] = [z.abs(), -z.abs()].map(|z| (p * (z - 0.5 * width)).exp());
+            let scale = sign * 8.0 * height / (PI * n).powi(2) / (1.0 + (-p * width).exp());
+            along_y -= scale * (near - far) * z.signum() * (p * y).cos();
+            along_z -= scale * (near + far) * (p * y).sin();
+        }
+        [along_y + z, along_z - y]
+    }
+
     /// 10(1+ν)/(12+11ν) along y and z.
     ///
     /// Source: Cowper (1966).
@@ -88,6 +116,9 @@ impl SectionShape for Rectangle {
         }
     }
 }
+
+/// Number of terms of the series of the warping function, whose terms decrease with n² at the edges.
+const TERMS: u32 = 200;
 
 /// Σ 1/n⁵ over odd n: (31/32) ζ(5).
 const ODD_FIFTHS: f64 = 1.004_523_762_795_139_6;

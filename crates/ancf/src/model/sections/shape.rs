@@ -21,6 +21,14 @@ pub trait SectionShape {
     /// St. Venant's torsion constant J, length⁴. The twist per length under a torque M is M/(G J).
     fn torsion_constant(&self) -> f64;
 
+    /// Gradient (∂ω/∂y, ∂ω/∂z) of St. Venant's warping function at (y, z), length: a twist κ causes the shear strains
+    /// 2E_xy = κ (∂ω/∂y − z) and 2E_xz = κ (∂ω/∂z + y).
+    ///
+    /// Zero by default: that of round sections, and of sections whose geometry is unknown.
+    fn warping_gradient(&self, _at: [f64; 2]) -> [f64; 2] {
+        [0.0; 2]
+    }
+
     /// Shear factors [k_y, k_z] for Poisson's ratio ν: the shear stiffness along y is k_y G A.
     fn shear_factors(&self, poisson: f64) -> [f64; 2];
 

@@ -90,6 +90,42 @@ fn moments_and_constants_are_positive() {
     }
 }
 
+/// The shear stresses of a twist have the torque G J κ and no shear force, are tangential at the outline, and have the largest value of a
+/// rectangle of 2 : 1, T/(0.246 a b²) (Timoshenko & Goodier 1970, section 109).
+#[test]
+fn warping_is_that_of_the_torsion_constant() {
+    for section in Section::examples() {
+        let (shape, moments) = (section.shape(), section.moments());
+        let Some(points) = section.points() else { continue };
+        let shear = |y: f64, z: f64| {
+            let [of_y, of_z] = shape.warping_gradient([y, z]);
+            [of_y - z, of_z + y]
+        };
+        let torque = integral(&points, |y, z| y * shear(y, z)[1] - z * shear(y, z)[0]);
+        // Half of the torque of a thin rectangle is that of its short sides, between the points.
+        if moments.yy.max(moments.zz) < 10.0 * moments.yy.min(moments.zz) {
+            assert_near("torque", &section, torque, section.torsion_constant(), 0.02);
+        }
+        for axis in [0, 1] {
+            let force = integral(&points, |y, z| shear(y, z)[axis]);
+            assert!(force.abs() < 1e-12 * moments.area.powf(1.5), "{section:?}: {force}");
+        }
+        let OutlineCurve::Polygon(corners) = shape.outline().outer else { continue };
+        let [y, z] = corners.iter().fold([0.0_f64; 2], |[y, z], corner| [y.max(corner[0]), z.max(corner[1])]);
+        for part in [-0.7, 0.0, 0.4] {
+            let size = shear(y, 0.0)[1].abs().max(shear(0.0, z)[0].abs());
+            assert!(shear(y, part * z)[0].abs() < 1e-4 * size, "{section:?}");
+            assert!(shear(part * y, z)[1].abs() < 1e-4 * size, "{section:?}");
+        }
+    }
+    for (height, width, at) in [(2.0, 1.0, [0.0, 0.5]), (1.0, 2.0, [0.5, 0.0])] {
+        let section = Section::rectangle(height, width);
+        let [of_y, of_z] = section.shape().warping_gradient(at);
+        let largest = (of_y - at[1]).hypot(of_z + at[0]);
+        assert_near("largest", &section, largest, section.torsion_constant() / (0.246 * 2.0), 2e-3);
+    }
+}
+
 #[test]
 fn moments_are_integrals_over_the_points() {
     for section in Section::examples() {

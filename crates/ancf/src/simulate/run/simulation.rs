@@ -117,6 +117,11 @@ impl Simulation {
     pub fn scales(&self) -> Scales {
         self.chosen.scales
     }
+
+    /// Gradient of the warping function of a section of a flexible body at an arc length and at (y, z) of the section, in solver units.
+    pub fn warping_gradient(&self, body: usize, s: f64, at: [f64; 2]) -> [f64; 2] {
+        self.scaled.warping_gradient(&self.scaled.bodies[body], s, at)
+    }
 }
 
 /// Finds joints that record two coordinates under the same name.

@@ -184,6 +184,27 @@ fn added_mass_lowers_bending_frequencies() {
     }
 }
 
+/// Drag in a fluid at rest, or of a current along the axis without tangential drag, is quadratic in the velocities: damped modes are those
+/// without drag. In a current they are damped.
+#[test]
+fn drag_at_rest_does_not_damp_small_vibrations() {
+    let of = |keys: &str, damped: bool| {
+        let analysis = format!("kind = \"modes\"\nabout = \"equilibrium\"\ncount = 2\ndamped = {damped}");
+        let model = clamped(rod(BODIES[0], WATER, [2.0, 0.0, 0.0], keys, &analysis));
+        Run::of(&model)
+    };
+    let undamped = of("drag = [1.2, 0.1]", false);
+    for keys in ["drag = [1.2, 0.1]", "drag = [1.2, 0], current = [0.3, 0, 0]"] {
+        let damped = of(keys, true);
+        for (frequency, expected) in damped.column("frequency").iter().zip(undamped.column("frequency")) {
+            assert_relative(keys, *frequency, *expected, 1e-5);
+        }
+        assert!(damped.column("damping_ratio").iter().all(|ratio| ratio.abs() < 1e-9), "{keys}");
+    }
+    let current = of("drag = [1.2, 0], current = [0, 0.3, 0]", true);
+    assert!(current.column("damping_ratio").iter().all(|ratio| *ratio > 1e-4));
+}
+
 /// Reaction of a tapered rod: weight less buoyancy, integrated over the areas.
 #[test]
 fn reaction_of_a_tapered_rod_is_weight_less_buoyancy() {

@@ -69,6 +69,32 @@ fn sphere_under_gas_pressure() {
     assert_relative("volume", volume, PI / 6.0 * (1.0 + 3.0 * (run.last("p.x") - 1.0)), 5e-3);
 }
 
+/// The stability of equilibria is determined in any units, such as micrometres: the volume of a gas has the third power of their ratio.
+/// An exponent of zero is a constant pressure, for any amount.
+#[test]
+fn stability_is_determined_in_any_units() {
+    let gas = "pressure = 1100\nambient = 1000\nexponent = 1.4";
+    let mut expected = None;
+    for length in [1.0, 1e3, 1e-3, 1e6] {
+        let scales = format!(
+            "kind = \"path\"\n[scales]\nkind = \"given\"\nlength = {length:e}\nforce = 1.0\ntime = 1.0\n"
+        );
+        let run = Run::of(&parse(&eighth(3, gas, &scales)));
+        assert!(
+            run.column("unstable").iter().all(|count| *count == 0.0),
+            "{length:e}: {:?}",
+            run.column("unstable")
+        );
+        let displacement = run.last("p.x") - 1.0;
+        assert_relative("displacement", displacement, *expected.get_or_insert(displacement), 1e-9);
+    }
+    let inflated = "pressure = 1100\nambient = 1000\nexponent = 0\n\
+                    time = { kind = \"table\", times = [0, 0.01], values = [0, 1] }";
+    let analysis = "kind = \"dynamics\"\nduration = 0.01\nstep = 0.001\n";
+    let run = Run::of(&parse(&eighth(3, inflated, analysis)));
+    assert!(run.column("air.pressure").iter().all(|pressure| (pressure - 1100.0).abs() < 1e-9));
+}
+
 /// ρ t ẅ + (2 E t/((1 − ν) R²) + 3 κ p/R) w = p₀ − p_a: oscillation of a sphere about its equilibrium.
 #[test]
 fn sphere_breathes_with_its_gas() {

@@ -14,3 +14,4 @@ mod skew_ratios;
 mod strained_membranes;
 mod supplied;
 mod variations;
+mod warm_curved_shells;

@@ -2,11 +2,11 @@
 
 mod cable_frame;
 mod constants;
-mod curved_stress;
 mod directors;
 mod elasticity;
 mod neo_hookean;
 mod resultants;
 mod section_forces;
 mod section_frames;
+mod stresses;
 mod tapered;

@@ -73,3 +73,23 @@ fn rigid_bodies_on_a_clamped_section_do_not_change_the_factors() {
         }
     }
 }
+
+/// A column between clamps buckles when one of them approaches: 4π² EI/L² = EA u/L, with a shortening that multiplies the load factor.
+/// Loads are absent, so the work of the prescribed displacement alone determines the response.
+#[test]
+fn a_column_buckles_by_displacement_alone() {
+    let (length, diameter) = (2.0, 0.02_f64);
+    let shortening = 2e-4;
+    let text = format!(
+        "materials.m = {{ density = 1200, young = {YOUNG:e}, poisson = 0.3 }}\nsections.s = {{ kind = \"circle\", diameter = {diameter} }}\n\
+         analysis = {{ kind = \"buckling\", count = 2 }}\n\
+         [[bodies]]\nkind = \"beam\"\nname = \"b\"\nfrom = [0, 0, 0]\nto = [{length}, 0, 0]\nelements = 16\nsection = \"s\"\nmaterial = \"m\"\n\
+         [[joints]]\nkind = \"clamp\"\nname = \"l\"\na = {{ body = \"b\", at = \"start\" }}\n\
+         [[joints]]\nkind = \"drive\"\nname = \"r\"\na = {{ body = \"b\", at = \"end\" }}\ndisplacement = [-{shortening}, 0, 0]\n\
+         time = {{ kind = \"ramp\", end = 1 }}\n"
+    );
+    let exact = 4.0 * std::f64::consts::PI.powi(2) * diameter.powi(2) / (16.0 * length * shortening);
+    for factor in factors(&text) {
+        assert!((factor / exact - 1.0).abs() < 5e-3, "{factor} for {exact}");
+    }
+}

@@ -88,6 +88,25 @@ fn stability_of_equilibria_under_a_follower_force() {
     assert!(summary.warnings.iter().any(|warning| warning.contains("flutters")), "{:?}", summary.warnings);
 }
 
+/// Paths, damped modes and motions do not count the negative eigenvalues of the symmetric part, which begin at π² EI/L².
+#[test]
+fn equilibria_below_the_flutter_load_are_not_called_unstable() {
+    let (summary, series) = column(17.0, r#"kind = "path""#);
+    assert!(summary.outcome.is_finished() && summary.warnings.is_empty(), "{:?}", summary.warnings);
+    let unstable = series.column("unstable").unwrap();
+    assert!(unstable.iter().all(|count| *count == 0.0 || count.is_nan()), "{unstable:?}");
+    for analysis in
+        [format!("{MODES}, damped = true"), "kind = \"dynamics\", duration = 2, step = 0.01".into()]
+    {
+        let (summary, _) = column(17.0, &analysis);
+        assert!(
+            summary.outcome.is_finished() && summary.warnings.is_empty(),
+            "{analysis}: {:?}",
+            summary.warnings
+        );
+    }
+}
+
 /// Linear buckling with a follower force is refused: there is no critical load of equilibria.
 #[test]
 fn buckling_under_a_follower_force_is_refused() {

@@ -1,6 +1,7 @@
 //! Static equilibria under load increments and along paths.
 
 mod drives;
+mod followers;
 mod load_increments;
 mod loads_on_joints;
 mod paths;

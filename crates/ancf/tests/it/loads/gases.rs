@@ -81,7 +81,7 @@ fn stability_is_determined_in_any_units() {
         );
         let run = Run::of(&parse(&eighth(3, gas, &scales)));
         assert!(
-            run.column("unstable").iter().all(|count| *count == 0.0),
+            run.column("unstable")[1..].iter().all(|count| *count == 0.0),
             "{length:e}: {:?}",
             run.column("unstable")
         );

@@ -99,11 +99,9 @@ fn equilibria_below_the_flutter_load_are_not_called_unstable() {
         [format!("{MODES}, damped = true"), "kind = \"dynamics\", duration = 2, step = 0.01".into()]
     {
         let (summary, _) = column(17.0, &analysis);
-        assert!(
-            summary.outcome.is_finished() && summary.warnings.is_empty(),
-            "{analysis}: {:?}",
-            summary.warnings
-        );
+        let calls_unstable = |warning: &String| warning.contains("unstable");
+        assert!(summary.outcome.is_finished(), "{analysis}: {:?}", summary.outcome);
+        assert!(!summary.warnings.iter().any(calls_unstable), "{analysis}: {:?}", summary.warnings);
     }
 }
 

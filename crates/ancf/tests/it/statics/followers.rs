@@ -23,7 +23,7 @@ fn end_of(turn: &Rotation3<f64>, load: &str, vector: Vector3<f64>) -> (Vector3<f
         text(Vector3::y()),
         text(vector)
     )));
-    (turn.inverse() * run.last_vector("t"), run.column("iterations").iter().sum())
+    (turn.inverse() * run.last_vector("t."), run.column("iterations").iter().sum())
 }
 
 /// An end moment of half a turn, and a transverse follower force, bend the beam to the same shape in any plane, in as many iterations. Newton's

@@ -91,26 +91,34 @@ test("errors are marked at their lines", async () => {
 
 test("keys and values are completed", async () => {
   const { tab } = await open({ fragment: "#example=cantilever" });
-  const labels = async (text) => {
+  const labels = async (text, awaited) => {
     await setText(tab, "");
     await tab.focus(".cm-content");
     await tab.keyboard.type(text);
     await tab.keyboard.down("Control");
     await tab.keyboard.press("Space");
     await tab.keyboard.up("Control");
-    await tab.waitForSelector(".cm-tooltip-autocomplete");
+    // A list of completions while typing may be open.
+    await tab.waitForFunction(
+      (awaited) =>
+        [...document.querySelectorAll(".cm-tooltip-autocomplete .cm-completionLabel")].some(
+          (one) => one.textContent === awaited,
+        ),
+      {},
+      awaited,
+    );
     const found = await tab.$$eval(".cm-tooltip-autocomplete .cm-completionLabel", (all) =>
       all.map((one) => one.textContent),
     );
     await tab.keyboard.press("Escape");
     return found;
   };
-  const kinds = await labels("[[bodies]]\nkind = ");
+  const kinds = await labels("[[bodies]]\nkind = ", '"beam"');
   for (const kind of ['"beam"', '"cable"', '"rigid"']) assert.ok(kinds.includes(kind), kinds.join());
-  const keys = await labels('[[bodies]]\nkind = "mass"\nce');
+  const keys = await labels('[[bodies]]\nkind = "mass"\nce', "center");
   assert.ok(keys.includes("center"), keys.join());
   assert.ok(!keys.includes("elements"));
-  const inline = await labels('[[joints]]\nkind = "clamp"\na = { bo');
+  const inline = await labels('[[joints]]\nkind = "clamp"\na = { bo', "body");
   assert.ok(inline.includes("body"), inline.join());
   await tab.close();
 });

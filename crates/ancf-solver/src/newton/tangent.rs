@@ -247,7 +247,7 @@ impl NewtonTangent {
         let mut solve = |x: &mut [f64]| factor.solve_increment(matrix, x, &s.lambda);
         let mut solved = solve(z);
         if solved.is_ok() && w == Weights::STIFFNESS {
-            solved = include_skew_part(&eom.skew_stiffness(s), z, solve).map(|_| ());
+            solved = include_skew_part(&eom.skew_stiffness(s), z, &mut solve).map(|_| ());
         }
         solved.map_err(|_| SolveFailure::Singular)
     }

@@ -123,7 +123,7 @@ pub(crate) fn response(
     newton.tangent.prepare(eom, s, Weights::STIFFNESS)?;
     let mut response = solve_force(newton, eom.load_force(s))?;
     let NewtonTangent { matrix, factor, .. } = &mut newton.tangent;
-    include_skew_part(&eom.skew_stiffness(s), &mut response, |x| factor.solve(matrix, x))
+    include_skew_part(&eom.skew_stiffness(s), &mut response, &mut |x| factor.solve(matrix, x))
         .map_err(|_| SolveFailure::Singular)?;
     Ok(response)
 }
@@ -159,9 +159,9 @@ pub(crate) struct PlaneUpdate<'a>(pub(crate) &'a PathTangent);
 impl StateUpdate for PlaneUpdate<'_> {
     fn apply(&mut self, at: LinearSolution<'_>, s: &mut State, w: Weights) -> Result<(), SolveFailure> {
         let mut response = at.eom.load_force(s);
-        let mut solve = |x: &mut [f64]| at.factor.solve(at.matrix, x).map(|_| ());
+        let mut solve = |x: &mut [f64]| at.factor.solve(at.matrix, x);
         solve(&mut response)
-            .and_then(|()| include_skew_part(&at.eom.skew_stiffness(s), &mut response, solve))
+            .and_then(|()| include_skew_part(&at.eom.skew_stiffness(s), &mut response, &mut solve))
             .map_err(|_| SolveFailure::Singular)?;
         let tangent = self.0;
         let load = -tangent.along(at.z) / (tangent.along(&response) + 0.5 * tangent.load);

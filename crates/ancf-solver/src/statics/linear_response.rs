@@ -1,7 +1,7 @@
 use super::arc_metric::solve_force;
 use crate::equations::{EquationsOfMotion, State};
 use crate::factor::include_skew_part;
-use crate::newton::{ActiveSet, Newton, SolveFailure};
+use crate::newton::{ActiveSet, Newton, NewtonTangent};
 
 /// Equilibrium with the factors of its last increment.
 #[derive(Debug)]
@@ -37,10 +37,8 @@ pub(crate) fn linear_response(
     force: &[f64],
 ) -> Option<Vec<f64>> {
     let mut z = solve_force(newton, force.to_vec()).ok()?;
-    let solve = |x: &mut [f64]| {
-        x.copy_from_slice(&solve_force(newton, x.to_vec())?);
-        Ok::<_, SolveFailure>(())
-    };
+    let NewtonTangent { matrix, factor, .. } = &mut newton.tangent;
+    let solve = &mut |x: &mut [f64]| factor.solve(matrix, x);
     let is_solved = include_skew_part(&eom.skew_stiffness(s), &mut z, solve).ok()?;
     (is_solved && z.iter().all(|x| x.is_finite())).then_some(z)
 }

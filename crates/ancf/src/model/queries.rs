@@ -74,6 +74,10 @@ impl Model {
 
     /// Gradient of the warping function of a section of a flexible body at an arc length and at (y, z) of the section.
     pub(crate) fn warping_gradient(&self, body: &Body, s: f64, at: [f64; 2]) -> [f64; 2] {
+        if at == [0.0; 2] {
+            // Sections are symmetric about both axes.
+            return at;
+        }
         let part = (s / body.length()).clamp(0.0, 1.0);
         self.section_at(body, part).map_or([0.0; 2], |section| section.shape().warping_gradient(at))
     }

@@ -73,6 +73,9 @@ impl SectionShape for Rectangle {
             let (p, sign) = (n * PI / height, if k % 2 == 0 { 1.0 } else { -1.0 });
             // Of sinh and cosh, relative to cosh(½pb), without overflow.
             let [near, far] = [z.abs(), -z.abs()].map(|z| (p * (z - 0.5 * width)).exp());
+            if near < f64::EPSILON {
+                break;
+            }
             let scale = sign * 8.0 * height / (PI * n).powi(2) / (1.0 + (-p * width).exp());
             along_y -= scale * (near - far) * z.signum() * (p * y).cos();
             along_z -= scale * (near + far) * (p * y).sin();

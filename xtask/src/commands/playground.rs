@@ -44,10 +44,13 @@ fn compile() -> Result<PathBuf, String> {
 
 /// Optimises crates without hot loops for size, and all crates together: the module is transferred.
 fn small() -> impl Iterator<Item = String> {
-    let crates = ["ancf", "ancf-report", "ancf-surface", "serde_json", "toml", "toml_edit"];
+    let own = ["ancf", "ancf-report", "ancf-surface", "ancf-web"];
+    let formats =
+        ["csv", "gltf-json", "nom", "postcard", "quick-xml", "roxmltree", "schemars", "serde_json", "stl_io"];
+    let more = ["toml", "toml_edit", "toml_parser", "vtkio", "winnow"];
     let option = |name| format!("profile.release.package.{name}.opt-level=\"s\"");
     let together = ["profile.release.lto=\"fat\"", "profile.release.codegen-units=1"].map(str::to_owned);
-    let options = crates.into_iter().map(option).chain(together);
+    let options = own.into_iter().chain(formats).chain(more).map(option).chain(together);
     options.flat_map(|option| ["--config".to_owned(), option])
 }
 

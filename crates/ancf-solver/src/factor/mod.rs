@@ -19,5 +19,5 @@ pub use inertia::inertia;
 pub use null_space::NullSpace;
 pub(crate) use products::Products;
 pub(crate) use scaled_lu::GeneralLu;
-pub(crate) use skew_part::include_skew_part;
+pub(crate) use skew_part::solve_with_skew_part;
 pub use sparse_row::{SparseRow, SparseVector, sparse_row};

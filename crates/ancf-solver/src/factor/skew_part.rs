@@ -9,8 +9,8 @@ const TOLERANCE: f64 = 1e-10;
 /// Solution with the factors of K: replaces f by K⁻¹ f.
 type Solve<'a> = &'a mut dyn FnMut(&mut [f64]) -> Result<(), SingularMatrix>;
 
-/// Turns the solution z = K⁻¹ f into that of (K + A) z = f for a skew part A of the stiffness, with solutions by the factors of K.
-/// Returns true if the iteration converged; else z is its last iterate.
+/// Solves (K + A) z = f for a skew part A of the stiffness, with solutions by the factors of K. `z` is f on entry. Returns true if the
+/// iteration converged; else z is its last iterate.
 ///
 /// `entries` are the lower entries of A. With the coordinates p of A and S = A_pp,
 ///
@@ -22,11 +22,12 @@ type Solve<'a> = &'a mut dyn FnMut(&mut [f64]) -> Result<(), SingularMatrix>;
 /// If `solve` fails.
 ///
 /// Source: Saad & Schultz (1986).
-pub(crate) fn include_skew_part(
+pub(crate) fn solve_with_skew_part(
     entries: &[(usize, usize, f64)],
     z: &mut [f64],
     solve: Solve<'_>,
 ) -> Result<bool, SingularMatrix> {
+    solve(z)?;
     let mut places: Vec<usize> = entries.iter().flat_map(|&(i, j, _)| [i, j]).collect();
     places.sort_unstable();
     places.dedup();

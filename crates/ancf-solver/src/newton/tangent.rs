@@ -6,7 +6,7 @@ use super::error::SolveFailure;
 use super::stress_prediction::StressPrediction;
 use super::tangent_usage::{TangentAge, TangentPolicy, TangentUsage};
 use crate::equations::{EquationsOfMotion, State, Weights};
-use crate::factor::{Factor, FactorHistory, include_skew_part};
+use crate::factor::{Factor, FactorHistory, solve_with_skew_part};
 use crate::sparse::SparseMatrix;
 
 /// Factorised tangent of Newton's method with the policy of its reuse.
@@ -245,10 +245,11 @@ impl NewtonTangent {
     ) -> Result<(), SolveFailure> {
         let Self { matrix, factor, .. } = self;
         let mut solve = |x: &mut [f64]| factor.solve_increment(matrix, x, &s.lambda);
-        let mut solved = solve(z);
-        if solved.is_ok() && w == Weights::STIFFNESS {
-            solved = include_skew_part(&eom.skew_stiffness(s), z, &mut solve).map(|_| ());
-        }
+        let solved = if w == Weights::STIFFNESS {
+            solve_with_skew_part(&eom.skew_stiffness(s), z, &mut solve).map(|_| ())
+        } else {
+            solve(z)
+        };
         solved.map_err(|_| SolveFailure::Singular)
     }
 

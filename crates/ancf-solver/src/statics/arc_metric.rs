@@ -1,5 +1,5 @@
 use crate::equations::{EquationsOfMotion, State, Weights};
-use crate::factor::{DETERMINED, include_skew_part};
+use crate::factor::{DETERMINED, solve_with_skew_part};
 use crate::newton::{LinearSolution, Newton, NewtonTangent, SolveFailure, StateUpdate};
 use crate::sparse::SparseMatrix;
 use crate::vectors::dot;
@@ -121,9 +121,8 @@ pub(crate) fn response(
     s: &State,
 ) -> Result<Vec<f64>, SolveFailure> {
     newton.tangent.prepare(eom, s, Weights::STIFFNESS)?;
-    let mut response = solve_force(newton, eom.load_force(s))?;
-    let NewtonTangent { matrix, factor, .. } = &mut newton.tangent;
-    include_skew_part(&eom.skew_stiffness(s), &mut response, &mut |x| factor.solve(matrix, x))
+    let (mut response, NewtonTangent { matrix, factor, .. }) = (eom.load_force(s), &mut newton.tangent);
+    solve_with_skew_part(&eom.skew_stiffness(s), &mut response, &mut |x| factor.solve(matrix, x))
         .map_err(|_| SolveFailure::Singular)?;
     Ok(response)
 }
@@ -136,16 +135,11 @@ pub(crate) fn refined_response(
 ) -> Result<[Vec<f64>; 2], SolveFailure> {
     newton.tangent.prepare(eom, s, Weights::STIFFNESS)?;
     let force = eom.load_force(s);
-    let response = solve_force(newton, force.clone())?;
-    let tangent = &mut newton.tangent;
-    let refined = tangent.factor.refined(&tangent.matrix, &force, &response);
+    let NewtonTangent { matrix, factor, .. } = &mut newton.tangent;
+    let mut response = force.clone();
+    factor.solve(matrix, &mut response).map_err(|_| SolveFailure::Singular)?;
+    let refined = factor.refined(matrix, &force, &response);
     Ok([response, refined.map_err(|_| SolveFailure::Singular)?])
-}
-
-/// Solves K z = f with the last factors.
-pub(crate) fn solve_force(newton: &mut Newton, mut force: Vec<f64>) -> Result<Vec<f64>, SolveFailure> {
-    newton.tangent.factor.solve(&newton.tangent.matrix, &mut force).map_err(|_| SolveFailure::Singular)?;
-    Ok(force)
 }
 
 /// Update within the plane normal to a tangent with free load factor: z = δ + ds dz/ds with τ·(z, ds) = 0.
@@ -158,15 +152,14 @@ pub(crate) struct PlaneUpdate<'a>(pub(crate) &'a PathTangent);
 
 impl StateUpdate for PlaneUpdate<'_> {
     fn apply(&mut self, at: LinearSolution<'_>, s: &mut State, w: Weights) -> Result<(), SolveFailure> {
-        let mut response = at.eom.load_force(s);
-        let mut solve = |x: &mut [f64]| at.factor.solve(at.matrix, x);
-        solve(&mut response)
-            .and_then(|()| include_skew_part(&at.eom.skew_stiffness(s), &mut response, &mut solve))
+        let LinearSolution { eom, matrix, factor, z, .. } = at;
+        let mut response = eom.load_force(s);
+        solve_with_skew_part(&eom.skew_stiffness(s), &mut response, &mut |x| factor.solve(matrix, x))
             .map_err(|_| SolveFailure::Singular)?;
         let tangent = self.0;
-        let load = -tangent.along(at.z) / (tangent.along(&response) + 0.5 * tangent.load);
-        at.z.iter_mut().zip(&response).for_each(|(z, response)| *z += load * response);
-        s.add(at.z, w);
+        let load = -tangent.along(z) / (tangent.along(&response) + 0.5 * tangent.load);
+        z.iter_mut().zip(&response).for_each(|(z, response)| *z += load * response);
+        s.add(z, w);
         s.load += load;
         Ok(())
     }

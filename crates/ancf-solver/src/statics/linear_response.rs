@@ -1,6 +1,5 @@
-use super::arc_metric::solve_force;
 use crate::equations::{EquationsOfMotion, State};
-use crate::factor::include_skew_part;
+use crate::factor::solve_with_skew_part;
 use crate::newton::{ActiveSet, Newton, NewtonTangent};
 
 /// Equilibrium with the factors of its last increment.
@@ -36,9 +35,8 @@ pub(crate) fn linear_response(
     s: &State,
     force: &[f64],
 ) -> Option<Vec<f64>> {
-    let mut z = solve_force(newton, force.to_vec()).ok()?;
-    let NewtonTangent { matrix, factor, .. } = &mut newton.tangent;
+    let (mut z, NewtonTangent { matrix, factor, .. }) = (force.to_vec(), &mut newton.tangent);
     let solve = &mut |x: &mut [f64]| factor.solve(matrix, x);
-    let is_solved = include_skew_part(&eom.skew_stiffness(s), &mut z, solve).ok()?;
+    let is_solved = solve_with_skew_part(&eom.skew_stiffness(s), &mut z, solve).ok()?;
     (is_solved && z.iter().all(|x| x.is_finite())).then_some(z)
 }

@@ -55,12 +55,15 @@ fn instability_of(
     assembly: &Assembly,
     s: &State,
 ) -> Option<Instability> {
+    if !system.skew_stiffness(s).is_empty() {
+        return None;
+    }
     let mut k = system.matrix();
     system.tangent(s, Weights::STIFFNESS, &mut k);
     let mut factor = Factor::new(k.pattern()).ok()?;
     factor.factorise(&k).ok()?;
     let count = factor.negative_pivots().or_else(|| inertia(&k))?.checked_sub(system.multipliers())?;
-    if count == 0 || !system.skew_stiffness(s).is_empty() {
+    if count == 0 {
         return None;
     }
     let n = s.q.len();

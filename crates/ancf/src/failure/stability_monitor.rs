@@ -78,10 +78,9 @@ impl StabilityMonitor {
         }
         self.next = (s.t + self.interval, steps + STEPS);
         // Coriolis forces may stabilise a state without stiffness, such as a shaft above its critical speed.
-        let counts = |found: &Instability| {
-            is_on_beam(assembly, found.at) && assembly.system.skew_damping(s).is_empty()
-        };
-        self.add(s.t, instability(assembly, s).filter(counts));
+        let is_decisive = assembly.system.skew_damping(s).is_empty();
+        let found = if is_decisive { instability(assembly, s) } else { None };
+        self.add(s.t, found.filter(|found| is_on_beam(assembly, found.at)));
     }
 
     /// Warning of the first persistent instability.

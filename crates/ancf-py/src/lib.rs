@@ -12,6 +12,8 @@ use pyo3::prelude::*;
 /// Engine of the package `ancf`; not a public interface.
 #[pymodule]
 mod _ancf {
+    use pyo3::prelude::*;
+
     #[pymodule_export]
     use super::input::{
         Stage, check_part, diagnose, nearest, read, scaled, schema, stages, stages_of_file, substitute,
@@ -34,6 +36,13 @@ mod _ancf {
         case_layout, check_places, linear_fit, observed_orders, parameter_type, reduce_column,
         sample_probabilities, sobol_points, zip_errors,
     };
+
+    /// Records the process: its forks have other threads.
+    #[pymodule_init]
+    fn record_process(_module: &Bound<'_, PyModule>) -> PyResult<()> {
+        super::input::record_process();
+        Ok(())
+    }
 
     /// Version of the engine.
     #[pymodule_export]

@@ -8,6 +8,7 @@ use serde::Deserialize;
 use serde::de::IntoDeserializer;
 use serde::de::value::Error;
 
+use crate::input::detached;
 use crate::input::{DataReader, FaultArguments, faults, to_python_with, value_error};
 
 /// Returns the variant with a name of study files.
@@ -35,7 +36,7 @@ pub(crate) fn sample_probabilities<'py>(
 ) -> PyResult<Bound<'py, PyArray2<f64>>> {
     let sampling: Sampling = variant(sampling)?;
     let parameters: Vec<&str> = parameters.iter().map(String::as_str).collect();
-    rows_to_array(py, &py.detach(|| sampling.probabilities(count, seed, &parameters)), count)
+    rows_to_array(py, &detached(py, || sampling.probabilities(count, seed, &parameters)), count)
 }
 
 /// Returns the first points of a scrambled Sobol sequence, `[dimension, point]`.
@@ -46,7 +47,7 @@ pub(crate) fn sobol_points(
     count: u32,
     seed: u32,
 ) -> PyResult<Bound<'_, PyArray2<f64>>> {
-    rows_to_array(py, &py.detach(|| ancf_study::sobol_points(dimension, count, seed)), count)
+    rows_to_array(py, &detached(py, || ancf_study::sobol_points(dimension, count, seed)), count)
 }
 
 /// Returns the strides of parameters and the number of cases, or `None` if it cannot be represented.

@@ -147,7 +147,7 @@ pub(super) fn besides(definition: &str) -> Option<(&'static str, &'static str)> 
 pub(super) fn instead(definition: &str, class: &str, key: &str) -> Option<(&'static str, &'static str)> {
     match (definition, class, key) {
         ("Body", _, "section" | "section_end") => Some(("Section", "Or the section itself.")),
-        ("Body", _, "material") => Some(("Material", "Or the material itself.")),
+        ("Body" | "Layer", _, "material") => Some(("Material", "Or the material itself.")),
         ("JointLaw", _, "name") => Some(("LawFunction", "Or the function itself, f(t, x, v).")),
         ("Load", "ExternalForce", "name") => Some(("ForceFunction", "Or the function itself, F(t, x, v).")),
         _ => None,

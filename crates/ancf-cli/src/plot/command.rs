@@ -89,7 +89,11 @@ impl PlotArguments {
         let range = [self.from.unwrap_or(f64::NEG_INFINITY), self.to.unwrap_or(f64::INFINITY)];
         let panels = selection.panels(&source, range);
         if !panels.iter().any(PlotPanel::has_points) {
-            let message = format!("{}: no values to plot in this range", self.folder.display());
+            let reason = match source.series.columns().all(|(_, values)| values.is_empty()) {
+                true => "no rows to plot; with `output.parquet = false` a run records none",
+                false => "no values to plot in this range",
+            };
+            let message = format!("{}: {reason}", self.folder.display());
             return Ok(reject(&message));
         }
         match format {

@@ -31,6 +31,9 @@ pub fn scene_of(results: &Results, live: bool, budget: usize) -> Result<Vec<u8>>
     if output.parquet && series.columns().all(|(_, values)| values.is_empty()) {
         messages.push("There are no rows on the disk.".to_owned());
     }
+    if !output.parquet {
+        messages.push("The run recorded no rows (`output.parquet = false`): there are no charts.".to_owned());
+    }
     if output.states > 0 && frames.is_empty() {
         messages.push("There are no states on the disk.".to_owned());
     }

@@ -151,3 +151,40 @@ fn files_of_the_user_are_not_overwritten() {
     folder.printed(&["run", "rope.toml", "-o", "rope"]);
     assert!(folder.read("rope/sequence.toml").contains("step = 2e-3"));
 }
+
+/// Turns are counted in every step, and the next analysis continues them, for any output: also from a state between recorded rows, and
+/// without rows.
+#[test]
+fn turns_do_not_depend_on_the_output() {
+    let folder = TestFolder::new();
+    let spin = |output: &str, analysis: &str| {
+        format!(
+            "output = {{ {output} }}\n\
+             bodies = [{{ kind = \"rigid\", name = \"r\", center = [0, 0, 0], mass = 1, inertia = [0.1, 0.1, 0.1], motion = {{ spin = [0, 0, 20] }} }}]\n\
+             joints = [{{ kind = \"revolute\", name = \"h\", a = {{ body = \"r\", at = \"center\" }}, axis = [0, 0, 1] }},\n\
+             {{ kind = \"sensor\", name = \"sn\", a = {{ body = \"r\", at = \"center\" }}, b = \"ground\", measure = \"angle\", axis = [0, 0, 1] }}]\n\
+             {analysis}\n"
+        )
+    };
+    let two = "analysis = [{ name = \"one\", kind = \"dynamics\", duration = 1, step = 1e-3 },\n\
+        { name = \"two\", kind = \"dynamics\", duration = 0.5, step = 1e-3 }]";
+    for output in ["every = 1", "every = 10", "every = 7", "every = 10000", "parquet = false", "states = 0"] {
+        folder.write("spin.toml", &spin(output, two));
+        folder.printed(&["run", "spin.toml"]);
+        for name in ["h.angle", "sn.angle"] {
+            let angles = column(&folder, "spin/2-two", name);
+            assert!((angles[0] - 20.0).abs() < 2e-3, "{output}: {name} starts at {}", angles[0]);
+            let last = angles.last().unwrap();
+            assert!((last - 30.0).abs() < 3e-3, "{output}: {name} ends at {last}");
+        }
+    }
+    let motion =
+        |duration: f64| format!("analysis = {{ kind = \"dynamics\", duration = {duration}, step = 1e-3 }}");
+    folder.write("first.toml", &spin("every = 300, states = 11", &motion(1.0)));
+    folder.printed(&["run", "first.toml"]);
+    let start = format!("initial = {{ from = \"first\", time = 0.5 }}\n{}", motion(0.1));
+    folder.write("second.toml", &spin("every = 1", &start));
+    folder.printed(&["run", "second.toml"]);
+    let first = column(&folder, "second", "h.angle")[0];
+    assert!((first - 10.0).abs() < 2e-3, "{first}");
+}

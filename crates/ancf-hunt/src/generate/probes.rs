@@ -20,7 +20,8 @@ pub(super) fn add(draft: &mut Draft) {
         }
         let length = draft.sizes.length * draft.random.within(0.05, 0.45);
         let d = draft.sizes.diameter;
-        let offset = if spot.kind == Kind::Cable { [0.0, 0.0] } else { [0.2 * d, 0.3 * d] };
+        // In the wall of tubes, and in narrow sections.
+        let offset = if spot.kind == Kind::Cable { [0.0, 0.0] } else { [0.355 * d, 0.05 * d] };
         let quantity = draft.random.choose(&["section_forces", "section_forces", "strain", "stress"]);
         let offset = if quantity == "section_forces" { [0.0, 0.0] } else { offset };
         draft.probes.push(json!({

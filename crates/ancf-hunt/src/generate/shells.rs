@@ -143,7 +143,10 @@ fn membrane(draft: &mut Draft, body: &str) {
     let has_field = law == "linear" || own.chance(0.5);
     let slack = own.choose(&[1e-4, 1e-2, 0.5]);
     if let Some(shell) = draft.bodies.iter_mut().find(|other| other["name"] == body) {
-        shell["membrane"] = json!({ "law": law, "tension_field": has_field, "slack": slack });
+        shell["membrane"] = json!({ "law": law, "tension_field": has_field });
+        if has_field {
+            shell["membrane"]["slack"] = json!(slack);
+        }
     }
 }
 

@@ -10,7 +10,7 @@ use crate::elements::{
     Profile, TwoNodeLaw,
 };
 use crate::kinematics::{BeamShape, NodalVector, QuadraticShape, ReferenceNode, VectorKind};
-use crate::sections::{CrossSection, Lame};
+use crate::sections::{CrossSection, DeformationFactors, Lame};
 
 /// Stress-strain law at a point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -42,6 +42,7 @@ pub struct BeamMesh {
     /// Reference values of the vectors.
     pub(crate) reference: Vec<Vector3<f64>>,
     pub(crate) lame: Lame,
+    pub(super) retardation: DeformationFactors,
     pub(crate) elasticity: StressLaw,
     /// Direction of the y-axis of the first node in the reference state.
     pub(crate) up: Vector3<f64>,
@@ -106,6 +107,7 @@ impl BeamMesh {
             origin: parameters.origin,
             reference,
             lame: parameters.medium.lame,
+            retardation: parameters.medium.retardation,
             elasticity,
             up: nodes[0].frame[1],
             frame_weights: Vec::new(),
@@ -262,8 +264,13 @@ impl BeamMesh {
 
     /// Returns the displacement of a vector.
     pub(super) fn displacement(&self, state: &State, vector: usize) -> Vector3<f64> {
+        self.part(&state.q, vector)
+    }
+
+    /// Returns the part of a vector in the coordinates or velocities.
+    pub(super) fn part(&self, coordinates: &[f64], vector: usize) -> Vector3<f64> {
         let first = self.first + 3 * vector;
-        Vector3::from_column_slice(&state.q[first..first + 3])
+        Vector3::from_column_slice(&coordinates[first..first + 3])
     }
 
     /// Returns the node and the kind of vector to which a coordinate of this mesh belongs.

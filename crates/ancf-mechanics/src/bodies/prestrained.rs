@@ -6,8 +6,7 @@ use ancf_solver::equations::{State, Term};
 use nalgebra::Vector3;
 
 use super::mesh::BeamMesh;
-use crate::elements::{Change, ElementPlace, Prestrain, Prestrains, StrainEnergy, prestrains};
-use crate::sections::{Directors, STRAINS, Strains};
+use crate::elements::{Change, ElementPlace, Prestrain, Prestrains, StrainEnergy};
 
 impl BeamMesh {
     /// Prescribes strains. A source acts on the elements that its part covers. Elements of hyperelastic materials have none.
@@ -48,7 +47,7 @@ impl BeamMesh {
 
     /// Returns the prescribed axial strain and curvature at ξ of an element, the latter in the frame of the section.
     pub fn prestrain(&self, state: &State, element: usize, xi: f64) -> (f64, Vector3<f64>) {
-        let Change { strain, curvature } = self.prestrains.change(state, self.place(element), xi);
+        let [Change { strain, curvature }, _] = self.prestrains.changes(state, self.place(element), xi);
         (strain, curvature)
     }
 
@@ -56,12 +55,9 @@ impl BeamMesh {
         ElementPlace { start: element as f64 * self.length, length: self.length }
     }
 
-    /// Returns the prescribed section strains at an arc length with reference directors.
-    pub(super) fn section_prestrains(&self, state: &State, s: f64, g0: &Directors) -> Strains {
-        if self.prestrains.is_empty() {
-            return [0.0; STRAINS];
-        }
+    /// Returns the prescribed change of shape at an arc length, and its rate.
+    pub(super) fn prescribed_changes(&self, state: &State, s: f64) -> [Change; 2] {
         let (element, xi) = self.locate(s);
-        prestrains(g0, &self.prestrains.change(state, self.place(element), xi))
+        self.prestrains.changes(state, self.place(element), xi)
     }
 }

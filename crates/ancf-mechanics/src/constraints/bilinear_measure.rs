@@ -5,6 +5,10 @@ use super::bilinear_row::BilinearRow;
 use super::coincidence::Wrench;
 use crate::kinematics::BodyVector;
 
+/// Magnitude of a joint coordinate, in radians or in the unit of length of the solver, below which its rounding error is that of the
+/// positions.
+const COORDINATE: f64 = 0.1;
+
 /// Scalar g(q) = Σ cᵢ aᵢ·bᵢ + Σ cⱼ qⱼ, bilinear in vectors of bodies and coordinates, used by constraints and springs.
 ///
 /// Angles of directions, distances of points along directions, squared distances, joint coordinates and their sums have
@@ -225,7 +229,8 @@ impl BilinearMeasure {
         }
         for &(c, k) in &self.coordinates {
             floor[c] += f64::EPSILON * (k * f).abs();
-            of_change += f64::EPSILON * (k * q[c]).abs();
+            // The coordinate has the error of the equation that defines it, also near zero.
+            of_change += f64::EPSILON * k.abs() * q[c].abs().max(COORDINATE);
         }
         of_change
     }

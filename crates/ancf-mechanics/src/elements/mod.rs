@@ -20,7 +20,9 @@ pub use cable::Cable12;
 pub(crate) use cable_profile::CableStation;
 pub use cable_profile::{CableDamping, CableProfile, CableRule, CableSection};
 pub use prestrain::Prestrain;
-pub(crate) use prestrain::{Change, ElementPlace, PrestrainTerm, Prestrained, Prestrains, prestrains};
+pub(crate) use prestrain::{
+    Change, ElementPlace, PrestrainTerm, Prestrained, Prestrains, section_prestrains,
+};
 pub use profile::{BeamMaterial, TwoNodeLaw};
 pub use rigid::{RigidBody, is_physical_inertia};
 pub(crate) use rigid_term::RigidTerm;

@@ -5,5 +5,5 @@ mod section;
 mod string;
 
 pub use part::{Placement, PointLoad, RodLoads, RodPart};
-pub use section::RodSection;
+pub use section::{AxialLaw, RodSection};
 pub use string::{StringEnd, TautString};

@@ -258,6 +258,7 @@ fn rotation_rate(rotation: &Vector3<f64>, curvature: &Vector3<f64>) -> Vector3<f
 mod tests {
     use std::f64::consts::FRAC_PI_2;
 
+    use super::super::section::AxialLaw;
     use super::*;
 
     fn part(length: f64, loads: RodLoads, section: RodSection) -> Placement {
@@ -273,6 +274,7 @@ mod tests {
             curvature: Vector3::zeros(),
             strain: 0.0,
             gyration: Vector3::zeros(),
+            law: AxialLaw::Linear,
         }
     }
 

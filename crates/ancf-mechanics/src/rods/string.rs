@@ -54,18 +54,18 @@ struct Layer {
 }
 
 impl TautString<'_> {
-    /// Returns the vector from the start to ξ: ∫ u (1 + ε⁰ + |n|/EA) + EI/|n| u″ ds by five Gauss points, and the integrals of the
+    /// Returns the vector from the start to ξ: ∫ u λ(|n|) + EI/|n| u″ ds by five Gauss points, and the integrals of the
     /// layers.
     pub fn chord(&self, xi: f64) -> Vector3<f64> {
         let slope = (self.loads.forces[1] - self.loads.forces[0]) / self.length;
         let tangent = |at: f64| {
             let (force, section) = (self.loads.force(at), (self.section)(at));
             let size = force.norm();
-            let (direction, stiffness) = (force / size, 1.0 / section.flexibility());
+            let (direction, stiffness) = (force / size, 1.0 / section.flexibility_under(size));
             let along = direction.dot(&slope);
             // u″ normal to u, for a linear force.
             let second = (slope - direction * along) * (-2.0 * along / (size * size));
-            direction * (1.0 + section.strain) + force * section.stretch.x + second * (stiffness / size)
+            direction * (1.0 + section.strain + section.extension(size)) + second * (stiffness / size)
         };
         let part = |[from, to]: [f64; 2]| -> Vector3<f64> {
             let share = |(x, weight): (f64, f64)| tangent(from + (to - from) * x) * (weight * (to - from));
@@ -82,7 +82,8 @@ impl TautString<'_> {
     pub fn moment(&self, end: usize) -> Vector3<f64> {
         let xi = end as f64;
         let force = self.loads.force(xi);
-        let (size, stiffness) = (force.norm(), 1.0 / (self.section)(xi).flexibility());
+        let size = force.norm();
+        let stiffness = 1.0 / (self.section)(xi).flexibility_under(size);
         let slope = (self.loads.forces[1] - self.loads.forces[0]) / (self.length * size);
         let layer = self.layer(end).map_or_else(Vector3::zeros, |layer| layer.deviation / layer.thickness);
         let sign = if end == 0 { -1.0 } else { 1.0 };
@@ -93,7 +94,8 @@ impl TautString<'_> {
     fn layer(&self, end: usize) -> Option<Layer> {
         let (xi, StringEnd { tangent, moment, is_free }) = (end as f64, &self.ends[end]);
         let force = self.loads.force(xi);
-        let (size, stiffness) = (force.norm(), 1.0 / (self.section)(xi).flexibility());
+        let size = force.norm();
+        let stiffness = 1.0 / (self.section)(xi).flexibility_under(size);
         if *is_free || size == 0.0 {
             return None;
         }

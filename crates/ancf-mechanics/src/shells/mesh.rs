@@ -171,11 +171,15 @@ impl ShellMesh {
         let corner = self.reference[own[0]];
         let rest =
             |a: usize| self.reference[own[a]] - if a.is_multiple_of(4) { corner } else { Vector3::zeros() };
-        let moved = |a: usize| {
-            let first = self.first + 3 * own[a];
-            Vector3::from_column_slice(&s.q[first..first + 3])
-        };
-        [std::array::from_fn(rest), std::array::from_fn(moved)]
+        [std::array::from_fn(rest), self.vectors_in(&s.q, element)]
+    }
+
+    /// Returns the parts of the nodal vectors of an element in the coordinates or velocities.
+    pub(crate) fn vectors_in(&self, coordinates: &[f64], element: usize) -> [Vector3<f64>; VECTORS] {
+        Self::vectors_of(self.divisions, element).map(|vector| {
+            let first = self.first + 3 * vector;
+            Vector3::from_column_slice(&coordinates[first..first + 3])
+        })
     }
 
     /// Returns the node and the kind of vector to which a coordinate of this mesh belongs.

@@ -15,7 +15,38 @@ pub(crate) fn membrane_strain([a, u]: [[Vector3<f64>; 2]; 2]) -> Vector3<f64> {
     )
 }
 
-/// Strains, resultants and stresses of a shell at a point.
+/// Returns the rate of Green's strain (ξξ, ηη, 2 ξη) of tangents with their rates.
+pub(crate) fn membrane_rate([tangents, rates]: [[Vector3<f64>; 2]; 2]) -> Vector3<f64> {
+    let [[t, s], [dt, ds]] = [tangents, rates];
+    Vector3::new(t.dot(&dt), s.dot(&ds), t.dot(&ds) + s.dot(&dt))
+}
+
+/// Membrane strains and changes of curvature at a point, in an orthonormal frame.
+pub(crate) type SurfaceStrains = [Vector3<f64>; 2];
+
+/// Strains that determine the stresses of a shell at a point.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct PointStrains {
+    /// Strains with the prescribed ones.
+    pub(crate) total: SurfaceStrains,
+    /// Prescribed strains.
+    pub(crate) prescribed: SurfaceStrains,
+    /// Rates of the strains less the prescribed ones, times the retardation time.
+    pub(crate) retarded: SurfaceStrains,
+}
+
+impl PointStrains {
+    /// Adds a multiple of the strains and retarded strains of an element, and of its prescribed strains and their retarded rates.
+    pub(crate) fn add(&mut self, factor: f64, own: &[SurfaceStrains; 2], prescribed: &[SurfaceStrains; 2]) {
+        for k in 0..2 {
+            self.total[k] += own[0][k] * factor;
+            self.prescribed[k] += prescribed[0][k] * factor;
+            self.retarded[k] += (own[1][k] - prescribed[1][k]) * factor;
+        }
+    }
+}
+
+/// Strains, resultants and stresses of a shell at a point, with those of the damping.
 ///
 /// Components are (11, 22, 12) in the orthonormal frame of the reference surface: e₁ along r_,u, e₂ = n × e₁, also if the fibres of
 /// a laminate refer to another axis. Stresses are of
@@ -45,42 +76,52 @@ pub(crate) fn direction([from, to]: [&Vector3<f64>; 2], normal: &Vector3<f64>) -
 }
 
 impl SurfaceStress {
-    /// Computes resultants and stresses by the law of a section, whose first direction has the given cosine and sine in (e₁, e₂), from
-    /// the strains and the prescribed ones.
+    /// Computes resultants and stresses by the law of a section, whose first direction has the given cosine and sine in (e₁, e₂). Stresses of
+    /// the damping are those of the linear law.
     ///
     /// The stresses of a laminate are those of the ply at each surface; those in the middle are the means of both plies if it is
     /// the boundary of two.
     pub(crate) fn new(
         section: &ShellSection,
         [cos, sin]: [f64; 2],
-        [strain, curvature]: [Vector3<f64>; 2],
-        prescribed: [Vector3<f64>; 2],
+        PointStrains { total: [strain, curvature], prescribed, retarded }: PointStrains,
     ) -> Self {
         let to_section = strain_transform([[cos, sin], [-sin, cos]]);
         let elastic = [strain - prescribed[0], curvature - prescribed[1]];
-        let [own, bent] = elastic.map(|x| to_section * x);
+        let [own, bent, slow, slowly_bent] =
+            [elastic[0], elastic[1], retarded[0], retarded[1]].map(|x| to_section * x);
         // The transposed matrix transforms the components of stresses.
         let back = |stress: Vector3<f64>| to_section.transpose() * stress;
-        let (force, moment) = (
-            section.membrane * own + section.coupling * bent,
-            section.coupling * own + section.bending * bent,
-        );
+        let resultants = |own: Vector3<f64>, bent: Vector3<f64>| {
+            (
+                section.membrane * own + section.coupling * bent,
+                section.coupling * own + section.bending * bent,
+            )
+        };
+        let ((force, moment), (slow_force, slow_moment)) =
+            (resultants(own, bent), resultants(slow, slowly_bent));
+        let slow_layers = section.surfaces.map(|at| at.stiffness * (slow + slowly_bent * at.height));
         let mut found = Self {
             strain,
             curvature,
-            force: back(force),
-            moment: back(moment),
+            force: back(force + slow_force),
+            moment: back(moment + slow_moment),
             energy: 0.5 * (force.dot(&own) + moment.dot(&bent)),
-            layers: section.surfaces.map(|at| back(at.stiffness * (own + bent * at.height))),
+            layers: std::array::from_fn(|k| {
+                let at = &section.surfaces[k];
+                back(at.stiffness * (own + bent * at.height) + slow_layers[k])
+            }),
         };
         if let Some(law) = &section.law {
             let [total, free] = [strain, prescribed[0]].map(|strain| to_section * strain);
             let state = law.strained_state([&total, &free]);
             let thickness = section.surfaces[0].height - section.surfaces[2].height;
-            found.force = back(state.force);
+            found.force = back(state.force + slow_force);
             found.energy = state.energy + 0.5 * moment.dot(&bent);
-            found.layers =
-                section.surfaces.map(|at| back(state.force / thickness + at.stiffness * bent * at.height));
+            found.layers = std::array::from_fn(|k| {
+                let at = &section.surfaces[k];
+                back(state.force / thickness + at.stiffness * bent * at.height + slow_layers[k])
+            });
         }
         found
     }

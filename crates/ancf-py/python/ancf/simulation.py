@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import warnings
 from dataclasses import dataclass, field
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -249,9 +250,9 @@ class Simulation:
         self._stepper.set(name, value, ramp)
 
     @property
-    def inputs(self) -> dict[str, float]:
-        """Names and present values of the inputs."""
-        return {name: self._stepper.input(name) for name in self._stepper.inputs()}
+    def inputs(self) -> Mapping[str, float]:
+        """Names and present values of the inputs. `set` changes them."""
+        return MappingProxyType({name: self._stepper.input(name) for name in self._stepper.inputs()})
 
     @property
     def columns(self) -> list[str]:
@@ -264,6 +265,7 @@ class Simulation:
 
     def values(self, names: Iterable[str]) -> Array:
         """Return several columns of the present state."""
+        names = [names] if isinstance(names, str) else names
         return np.array([self._stepper.read(name) for name in names])
 
     def row(self) -> dict[str, float]:
@@ -329,7 +331,8 @@ class Simulation:
             If an input prescribes a motion, a column is no function of the state, or a force is not differentiable.
 
         """
-        model = LinearModel(**self._stepper.linearize(list(outputs)))
+        outputs = [outputs] if isinstance(outputs, str) else list(outputs)
+        model = LinearModel(**self._stepper.linearize(outputs))
         for text in model.warnings:
             warnings.warn(text, AnalysisWarning, stacklevel=stack_level())
         return model

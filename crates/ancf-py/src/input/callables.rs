@@ -12,6 +12,7 @@ use toml::{Table, Value};
 
 use super::errors::model_error;
 use super::signals::Signals;
+use super::threads::detached;
 
 /// Callables in the data of a model, named by their paths.
 #[derive(Debug, Default)]
@@ -63,7 +64,7 @@ impl Callables {
         then: impl FnOnce(&Model) -> Result<T, ModelErrors> + Send,
     ) -> PyResult<(Model, T)> {
         self.supply(&mut model, signals);
-        let done = py.detach(|| then(&model));
+        let done = detached(py, || then(&model));
         match (signals.take(), done) {
             (Some(error), _) => Err(error),
             (None, Ok(done)) => Ok((model, done)),

@@ -7,6 +7,7 @@ mod model;
 mod part;
 mod sequence;
 mod signals;
+mod threads;
 
 pub(crate) use data::{DataReader, read_table, to_python, to_python_with};
 pub(crate) use errors::{FaultArguments, faults, model_error, value_error};
@@ -14,3 +15,4 @@ pub(crate) use model::{diagnose, read, scaled, schema, substitute, to_toml, vali
 pub(crate) use part::{check_part, deserialize_part, nearest};
 pub(crate) use sequence::{Stage, stages, stages_of_file};
 pub(crate) use signals::Signals;
+pub(crate) use threads::{detached, record_process};

@@ -12,10 +12,11 @@ use toml::{Table, Value};
 use super::data::{DataReader, read_table, to_python, to_python_with};
 use super::errors::{model_error, value_error};
 use super::signals::Signals;
+use super::threads::detached;
 
 /// Returns the model of data. Raises `ModelError` if it is invalid.
 pub(crate) fn valid_model(py: Python<'_>, data: &Value) -> PyResult<Model> {
-    py.detach(|| Model::from_value(data)).map_err(|errors| model_error(py, &errors, None))
+    detached(py, || Model::from_value(data)).map_err(|errors| model_error(py, &errors, None))
 }
 
 /// Reads and checks a model file. Returns its data as dictionaries with the keys of the file.
@@ -87,7 +88,7 @@ pub(crate) fn scaled<'py>(data: &Bound<'py, PyAny>) -> PyResult<(Bound<'py, PyAn
     let model = valid_model(py, &read_table(data)?)?;
     let scales = model.scales().scales;
     let Scales { length, time, force } = scales;
-    let scaled = py.detach(|| model.scaled(&scales));
+    let scaled = detached(py, || model.scaled(&scales));
     let value = Value::try_from(&scaled).map_err(value_error)?;
     Ok((to_python(py, &value)?, [length, time, force]))
 }

@@ -13,6 +13,7 @@ use numpy::{PyArray1, PyArray2, PyArray3, PyArrayMethods};
 use pyo3::exceptions::{PyKeyError, PyValueError};
 use pyo3::prelude::*;
 
+use crate::input::detached;
 use crate::input::{DataReader, deserialize_part, valid_model};
 use crate::run::States;
 
@@ -130,7 +131,7 @@ impl ModelGeometry {
     /// Returns the factor of the shape of a mode in figures, as in reports: bodies do not cross.
     fn shape_factor(&self, py: Python<'_>, frame: usize, size: f64) -> PyResult<f64> {
         let state = self.states.get().state(frame, true)?;
-        py.detach(|| {
+        detached(py, || {
             let (assembly, scales) = (self.simulation.assembly(), self.simulation.scales());
             let geometry =
                 Geometry::new(&self.model, assembly, scales, &self.states.get().surfaces, PARTS, size);

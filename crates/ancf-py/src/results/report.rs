@@ -8,6 +8,7 @@ use numpy::PyReadonlyArray2;
 use pyo3::prelude::*;
 use toml::Value;
 
+use crate::input::detached;
 use crate::input::{DataReader, read_table, valid_model, value_error};
 use crate::run::States;
 
@@ -36,7 +37,7 @@ pub(crate) fn report(
     }
     let text_of_summary = SummaryText::new(read_table(summary)?, &model)?;
     let title = title.or_else(|| model.title.clone());
-    let html = py.detach(|| {
+    let html = detached(py, || {
         let snapshot = |(state, value)| Snapshot { value, state };
         let recording = Recording {
             simulation: &states.simulation,

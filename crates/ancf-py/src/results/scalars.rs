@@ -9,6 +9,7 @@ use numpy::{PyArray1, PyArray2, PyArrayMethods};
 use pyo3::exceptions::PyMemoryError;
 use pyo3::prelude::*;
 
+use crate::input::detached;
 use crate::input::{DataReader, Signals, valid_model};
 use crate::run::{FIELD_MEMORY, States, checked_parts};
 
@@ -31,7 +32,7 @@ pub(crate) fn scalar_fields<'py>(
     let model = valid_model(py, &DataReader::default().model(states.model.bind(py))?)?;
     let simulation = Arc::clone(&states.simulation);
     let signals = Signals::default();
-    let (fields, stations) = py.detach(|| {
+    let (fields, stations) = detached(py, || {
         let (assembly, scales) = (simulation.assembly(), simulation.scales());
         let geometry = Geometry::new(&model, assembly, scales, &BodySurfaces::default(), parts, 1.0);
         let reference = geometry.place(&assembly.rest());

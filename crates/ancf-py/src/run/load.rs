@@ -17,21 +17,26 @@ use super::frames::Frames;
 use super::keep::Keep;
 use super::simulation::{Simulation, rows_to_array};
 use super::states::States;
+use crate::input::detached;
 use crate::input::{model_error, to_python, value_error};
 
 /// Returns the results of a results folder in a dictionary.
 #[pyfunction]
 pub(crate) fn load(py: Python<'_>, path: PathBuf) -> PyResult<Bound<'_, PyDict>> {
     let fail = |error| unreadable(py, error);
-    let results = py.detach(|| Results::open(path)).map_err(fail)?;
-    if !py.detach(|| results.has_checksums()).map_err(fail)? {
+    let results = detached(py, || Results::open(path)).map_err(fail)?;
+    if !detached(py, || results.has_checksums()).map_err(fail)? {
         let text =
             c"the run was written by an earlier version: without checksums, damaged files are not detected";
         PyErr::warn(py, &py.get_type::<PyUserWarning>(), text, 1)?;
     }
-    py.detach(|| results.verify()).map_err(fail)?;
+    detached(py, || results.verify()).map_err(fail)?;
+    if !results.model().output.parquet {
+        let text = c"the run recorded no rows (`output.parquet = false`): columns are empty; `probes.csv` may have them";
+        PyErr::warn(py, &py.get_type::<PyUserWarning>(), text, 1)?;
+    }
     let status = results.status();
-    let recorded = py.detach(|| RecordedRun::read(&results));
+    let recorded = detached(py, || RecordedRun::read(&results));
     let RecordedRun { frames, values, rows, columns, numbers } = recorded.map_err(fail)?;
     let data: Table = results.text().parse().map_err(|error: toml::de::Error| value_error(error))?;
     let (surfaces, messages) = BodySurfaces::of_run(results.model(), results.folder().path());
@@ -91,7 +96,7 @@ impl RecordedRun {
         let series = results.columns()?;
         let (columns, numbers) = by_rows(&series)?;
         let firsts = series.columns().next().map_or(&[][..], |(_, values)| values);
-        let every = u64::from(results.model().output.every.max(1));
+        let every = u64::from(results.model().row_interval());
         let row = |(row, value): &(u64, f64)| row_of(*row, *value, every, firsts).unwrap_or(-1);
         let rows = at.iter().map(row).collect();
         Ok(Self { frames, values: at.iter().map(|(_, value)| *value).collect(), rows, columns, numbers })

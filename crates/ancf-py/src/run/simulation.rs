@@ -21,6 +21,7 @@ use toml::Value;
 use super::keep::Keep;
 use super::recorder::{RecordedSimulation, RunRecorder};
 use super::states::{AssembledModel, States};
+use crate::input::detached;
 use crate::input::{DataReader, Signals, model_error, to_python, to_python_with, valid_model};
 
 /// Message about rows and states that do not fit into memory.
@@ -51,7 +52,7 @@ impl Simulation {
     fn new(data: &Bound<'_, PyAny>) -> PyResult<Self> {
         let py = data.py();
         Self::with_surfaces(data, |model| {
-            let surfaces = py.detach(|| BodySurfaces::read(model, Path::new("")));
+            let surfaces = detached(py, || BodySurfaces::read(model, Path::new("")));
             surfaces.map_err(|errors| model_error(py, &errors, None))
         })
     }
@@ -70,7 +71,7 @@ impl Simulation {
 
     /// Returns the names of the columns.
     fn columns(&self, py: Python<'_>) -> Vec<String> {
-        py.detach(|| self.assembled.simulation.columns().into_iter().map(|column| column.name).collect())
+        detached(py, || self.assembled.simulation.columns().into_iter().map(|column| column.name).collect())
     }
 
     /// Runs the simulation and returns the results in a dictionary.
@@ -88,11 +89,11 @@ impl Simulation {
     ) -> PyResult<Bound<'py, PyDict>> {
         let keep = Keep::from_word(states)?;
         let last = after.map(|(states, row)| states.get().last(&row)).transpose()?;
-        let start = py.detach(|| self.start(last)).map_err(|errors| model_error(py, &errors, None))?;
+        let start = detached(py, || self.start(last)).map_err(|errors| model_error(py, &errors, None))?;
         self.signals.begin(stop);
         let mut recorder = RunRecorder::new(self.recorded(py), keep, [callback, tick]);
         let simulation = &self.assembled.simulation;
-        let summary = py.detach(|| match &start {
+        let summary = detached(py, || match &start {
             Some(start) => simulation.run_from(start, &mut recorder),
             None => simulation.run(&mut recorder),
         });
@@ -128,7 +129,7 @@ impl Simulation {
         }
         self.signals.begin(None);
         let interrupt = self.signals.interrupt();
-        let refined = py.detach(|| refine(&self.supplied, requested, &interrupt, |_, _| ()));
+        let refined = detached(py, || refine(&self.supplied, requested, &interrupt, |_, _| ()));
         if let Some(error) = self.signals.take() {
             return Err(error);
         }
@@ -208,7 +209,7 @@ impl Simulation {
             assembled: self.assembled.clone(),
             model: self.model.clone_ref(py),
             signals: self.signals.clone(),
-            every: self.supplied.output.every.max(1),
+            every: self.supplied.row_interval(),
         }
     }
 

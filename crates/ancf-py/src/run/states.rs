@@ -14,6 +14,7 @@ use super::frames::Frames;
 use super::keep::Keep;
 use super::station_quantity::StationQuantity;
 use crate::input::Signals;
+use crate::input::detached;
 
 /// Simulation of a model, and the surfaces of its rigid bodies.
 #[derive(Clone, Debug)]
@@ -172,17 +173,23 @@ impl States {
     ) -> PyResult<Bound<'py, PyArray3<f64>>> {
         let frames = self.checked_frames(frames)?;
         let quantity = StationQuantity::from_name(name, offset.unwrap_or_default())?;
-        self.require(&format!("field {name:?}"), quantity.is_positional())?;
+        self.require(&format!("field {name:?}"), quantity.is_positional(&self.simulation))?;
         let parts = checked_parts(parts)?;
         let signals = Signals::default();
-        let (numbers, stations) = py.detach(|| {
+        let (numbers, stations) = detached(py, || {
             let fields = Fields::new(self.simulation.assembly(), self.simulation.scales(), parts);
             let stations = fields.stations().len();
             let mut numbers = Vec::new();
             let count = frames.len().saturating_mul(stations).saturating_mul(quantity.width());
             numbers.try_reserve_exact(count).map_err(|_| PyMemoryError::new_err(FIELD_MEMORY))?;
+            // Forces and stresses are those of the state about which a shape vibrates.
+            let is_still = self.simulation.has_shapes() && !quantity.is_rate();
             self.each(&frames, |s| {
-                quantity.fill(&self.simulation, &fields, s, &mut numbers);
+                let mut state = s.clone();
+                if is_still {
+                    state.stop();
+                }
+                quantity.fill(&self.simulation, &fields, &state, &mut numbers);
                 !signals.are_set()
             });
             Ok::<_, PyErr>((numbers, stations))

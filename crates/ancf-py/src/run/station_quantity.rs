@@ -41,13 +41,19 @@ impl StationQuantity {
     }
 
     /// True if the quantity depends on positions only.
-    pub(crate) const fn is_positional(self) -> bool {
+    pub(crate) fn is_positional(self, simulation: &Simulation) -> bool {
         match self {
             Self::Field(field) => {
                 matches!(field, Field::Position | Field::Displacement | Field::Directors)
             }
-            Self::Strain(_) | Self::Stress(_) => true,
+            Self::Strain(_) => true,
+            Self::Stress(_) => !simulation.has_damped_strains(),
         }
+    }
+
+    /// True if the quantity is a rate of the position.
+    pub(crate) const fn is_rate(self) -> bool {
+        matches!(self, Self::Field(Field::Velocity | Field::Acceleration))
     }
 
     /// Number of components.

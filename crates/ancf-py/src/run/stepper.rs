@@ -12,6 +12,7 @@ use pyo3::types::{PyBytes, PyDict};
 use toml::Value;
 
 use super::linear::linear_data;
+use crate::input::detached;
 use crate::input::{DataReader, Signals, model_error, to_python, to_python_with, valid_model};
 
 /// A motion that is advanced step by step.
@@ -45,7 +46,7 @@ impl Stepper {
         let (model, simulation) = reader.callables.with(py, model, &signals, ancf::Simulation::new)?;
         let simulation = simulation.with_interrupt(signals.interrupt());
         signals.begin(None);
-        let stepper = py.detach(|| {
+        let stepper = detached(py, || {
             let given = given_state(&model, Path::new(""))?;
             let start = given.map(|given| simulation.start_from(&given)).transpose()?;
             ancf::Stepper::start(simulation, start.as_ref())
@@ -132,7 +133,7 @@ impl Stepper {
         let mut guard = self.lock()?;
         self.signals.begin(None);
         let stepper: &mut ancf::Stepper = &mut guard;
-        let projection = py.detach(|| stepper.set_state(&state));
+        let projection = detached(py, || stepper.set_state(&state));
         self.done(py, projection)
             .map(|projection| (projection.moved, projection.corrected, projection.turned))
     }
@@ -156,7 +157,7 @@ impl Stepper {
         let mut guard = self.lock()?;
         self.signals.begin(None);
         let stepper: &mut ancf::Stepper = &mut guard;
-        let restored = py.detach(|| stepper.restore(snapshot));
+        let restored = detached(py, || stepper.restore(snapshot));
         self.done(py, restored)
     }
 
@@ -166,7 +167,7 @@ impl Stepper {
         let mut guard = self.lock()?;
         self.signals.begin(None);
         let stepper: &mut ancf::Stepper = &mut guard;
-        let model = py.detach(|| stepper.linearise(&outputs));
+        let model = detached(py, || stepper.linearise(&outputs));
         linear_data(py, &self.done(py, model)?)
     }
 
@@ -199,7 +200,7 @@ impl Stepper {
         let mut guard = self.lock()?;
         self.signals.begin(None);
         let stepper: &mut ancf::Stepper = &mut guard;
-        let report = py.detach(|| advance(stepper));
+        let report = detached(py, || advance(stepper));
         self.done(py, report).map(|report| (report.substeps, report.iterations, report.rejected))
     }
 

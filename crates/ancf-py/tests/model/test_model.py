@@ -223,6 +223,12 @@ def test_sections_and_materials_instead_of_names() -> None:
     assert data["bodies"][2]["section_end"] == "thin"
     assert model.sections is not None
     assert list(model.sections) == ["strip"], "the model itself is left as it was"
+    layers = [ancf.Layer(material=steel), ancf.Layer(material="wood")]
+    plate = ancf.FlatSurface(corner=[0, 0, 0], side_u=[1, 0, 0], side_v=[0, 1, 0])
+    shell = ancf.Shell("s", surface=plate, elements=[2, 2], thickness=0.01, material="wood", layers=layers)
+    data = ancf.Model(bodies=[shell], materials=model.materials, analysis=ancf.Modes()).to_dict()
+    assert [layer["material"] for layer in data["bodies"][0]["layers"]] == ["steel", "wood"]
+    assert list(data["materials"]) == ["wood", "steel"]
 
 
 def test_functions_of_time() -> None:
@@ -258,6 +264,8 @@ def test_parts_are_mutable_and_found_by_name() -> None:
         model.body("baem")
     with pytest.raises(KeyError, match="no joint"):
         ancf.Model(bodies=[rod()], analysis=ancf.Modes()).joint("root")
+    bob = {"kind": "mass", "name": "bob", "center": [0, 0, 0], "mass": 1}
+    assert ancf.Model(bodies=[bob], analysis=ancf.Modes()).body("bob") is bob  # type: ignore[list-item]
 
 
 def test_equality_compares_values() -> None:

@@ -131,3 +131,56 @@ def test_shapes_are_coloured_by_stress_with_a_prefix() -> None:
     assert bands.get_clim()[1] == pytest.approx(1e-6 * run.field("axial_stress", rows=-1, parts=2).max())
     mesh = run.scene(color="axial_stress", parts=2)
     assert mesh["axial_stress"].max() == pytest.approx(run.field("axial_stress", rows=-1, parts=2).max())
+
+
+def damped(analysis: Any, **more: Any) -> ancf.Model:
+    """Return a rubber bar that is pulled at a constant rate."""
+    rubber = ancf.Material("rubber", density=1, young=5e6, poisson=0, damping=ancf.Damping(strain=0.05))
+    bar = ancf.Beam(
+        "bar",
+        from_=[0, 0, 0],
+        to=[1, 0, 0],
+        elements=4,
+        section=ancf.Rectangle(height=HEIGHT, width=WIDTH),
+        material=rubber,
+    )
+    return ancf.Model(
+        bodies=[bar],
+        joints=[
+            ancf.Clamp("root", a=bar.start),
+            ancf.PrescribedMotion("pull", a=bar.end, displacement=[0.1, 0, 0], time=ancf.Expression("t^2/(t+0.01)")),
+        ],
+        probes=[ancf.Probe("middle", on=bar.at(0.5), record=["strain", "stress", "section_forces"])],
+        analysis=analysis,
+        **more,
+    )
+
+
+def test_stresses_contain_those_of_the_damping() -> None:
+    """The stress times the stretch is the force per area; positions alone do not determine it."""
+    model = damped(ancf.Dynamics(duration=0.5, step=5e-3))
+    pulled = ancf.run(model)
+    stretch = np.sqrt(1 + 2 * pulled["middle.exx"][-1])
+    force = pulled["middle.N"][-1] / (HEIGHT * WIDTH)
+    assert pulled["middle.sxx"][-1] * stretch == pytest.approx(force, rel=1e-3)
+    field = pulled.field("stress", rows=-1)
+    assert field[2, 0] == pytest.approx(pulled["middle.sxx"][-1], rel=1e-9)
+    with pytest.raises(ValueError, match='states="all"'):
+        ancf.run(model, states="positions").field("stress")
+
+
+def test_stresses_of_modes_are_those_of_the_state() -> None:
+    """A shape is no velocity: the undeformed state has no stress, with and without damping."""
+    modes = ancf.modes(damped(ancf.Modes()), count=3)
+    assert np.abs(modes.field("stress")).max() == 0
+    assert np.abs(modes.field("section_forces")).max() == 0
+    assert np.abs(modes.field("velocity")).max() > 0
+
+
+def test_all_modes_are_recorded_for_any_interval() -> None:
+    """The interval of the rows of a motion does not select modes."""
+    motion = ancf.Dynamics(duration=0.1, step=1e-3)
+    every, all_rows = (damped(motion, output=ancf.Output(every=n)) for n in (3, 1))
+    found, expected = (ancf.modes(model, count=6) for model in (every, all_rows))
+    np.testing.assert_array_equal(found.frequencies, expected.frequencies)
+    assert len(found.frequencies) == len(found.shapes) == 6

@@ -18,7 +18,9 @@ pub(crate) fn frame_label(recording: &Recording<'_>, frame: &Snapshot) -> String
                 let unit = if seconds { "Hz".to_owned() } else { recording.unit(Dimension::RATE) };
                 format!("mode {number}: {} {unit}", rounded(frequency)).trim_end().to_owned()
             }
-            _ => format!("mode {number}: unstable"),
+            Some(_) => format!("mode {number}: unstable"),
+            // The run recorded no rows.
+            None => format!("mode {number}"),
         },
         Analysis::Buckling(_) => of("factor").map_or_else(
             || format!("buckling mode {number}"),

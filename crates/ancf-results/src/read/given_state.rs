@@ -46,10 +46,21 @@ pub fn given_state(model: &Model, base: &Path) -> Result<Option<GivenState>, Mod
     if counted.is_empty() {
         return Ok(Some(given));
     }
+    if counted.iter().all(|name| stored.angles.iter().any(|(own, _)| own == name)) {
+        return Ok(Some(given.with_angles(stored.angles)));
+    }
+    // Runs of earlier versions have the turns in their rows, if each step has one.
     let columns = results.columns().map_err(|error| of_folder(folder, &error))?;
-    let row = stored.row as usize;
-    let value = |name: String| columns.column(&name).and_then(|all| all.get(row).copied()).map(|x| (name, x));
-    Ok(Some(given.with_angles(counted.into_iter().filter_map(value))))
+    let row = (results.model().row_interval() == 1).then_some(stored.row as usize);
+    let value = |name: &String| Some((name.clone(), *columns.column(name)?.get(row?)?));
+    match counted.iter().map(value).collect::<Option<Vec<_>>>() {
+        Some(angles) => Ok(Some(given.with_angles(angles))),
+        None => {
+            let found =
+                format!("{source} of an earlier version, without the turns of {}", counted.join(", "));
+            Err(wrong("from", found, "a run of this version"))
+        }
+    }
 }
 
 /// Checks that a stored state has the stated time, and describes its place in the run.

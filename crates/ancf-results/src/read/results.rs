@@ -13,7 +13,9 @@ use super::run_status::RunStatus;
 use crate::folder::{
     Folder, SummaryFile, damaged, has_summary_checksum, read_summary, sequence_folders, with_path,
 };
-use crate::table::{Layout, has_checksums, metadata_of_table, rows_of_part, state_layout, verify};
+use crate::table::{
+    ANGLES, Layout, angles, has_checksums, has_column, metadata_of_table, rows_of_part, state_layout, verify,
+};
 
 /// Stored state of a run.
 #[derive(Clone, Debug, PartialEq)]
@@ -24,6 +26,8 @@ pub struct StoredState {
     pub value: f64,
     /// State in the units of the solver.
     pub state: State,
+    /// Angles of joints and sensors with their full turns, by their columns. Runs of earlier versions have none.
+    pub angles: Vec<(String, f64)>,
 }
 
 /// Results of a run that has ended, was killed or is in progress.
@@ -153,16 +157,20 @@ impl Results {
 
     /// Reads the stored states, as far as they are on the disk, with one part in memory at a time.
     pub fn frames(&self) -> impl Iterator<Item = Result<StoredState, OpenError>> + '_ {
-        let layout = state_layout(&self.simulation);
+        let mut layout = state_layout(&self.simulation);
+        if matches!(has_column(&self.folder.states(), ANGLES), Ok(Some(false))) {
+            layout.lists.retain(|(name, _)| name != ANGLES);
+        }
         let width = layout.width();
+        let names: Vec<String> = angles(&self.simulation).into_iter().map(|(name, _)| name).collect();
         parts_of(self.folder.states(), layout).flat_map(move |part| match part {
-            Ok(rows) => rows.chunks_exact(width).map(|row| Ok(self.state_of(row))).collect(),
+            Ok(rows) => rows.chunks_exact(width).map(|row| Ok(self.state_of(row, &names))).collect(),
             Err(error) => vec![Err(error.into())],
         })
     }
 
     /// Converts a row of the table of states.
-    fn state_of(&self, row: &[f64]) -> StoredState {
+    fn state_of(&self, row: &[f64], angles: &[String]) -> StoredState {
         let system = &self.simulation.assembly().system;
         let mut state = State::rest(system.coordinates(), system.multipliers());
         let (head, mut rest) = row.split_at(3);
@@ -175,7 +183,8 @@ impl Results {
         if self.model.analysis.dynamics().is_some() {
             state.t = head[1] / self.simulation.scales().time;
         }
-        StoredState { row: head[0] as u64, value: head[1], state }
+        let angles = angles.iter().cloned().zip(rest.iter().copied()).collect();
+        StoredState { row: head[0] as u64, value: head[1], state, angles }
     }
 
     /// Reads a value of the metadata of the columns: `program`, `model`, `sha256` or `units`.

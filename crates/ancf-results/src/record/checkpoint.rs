@@ -36,7 +36,7 @@ pub enum CheckpointError {
 }
 
 /// First bytes of a checkpoint. The last of them is the version of the format.
-const HEAD: [u8; 8] = *b"ANCFCP\0\x01";
+const HEAD: [u8; 8] = *b"ANCFCP\0\x02";
 
 /// Writes a checkpoint: head, contents, SHA-256 of both.
 pub(super) fn write(path: &Path, contents: &impl Serialize) -> io::Result<()> {

@@ -13,7 +13,7 @@ use super::row_selection::RowSelection;
 use super::run_files::{FileLengths, FileSpec, RunFiles};
 use super::state_selection::StateSelection;
 use crate::folder::{Folder, SummaryFile, erase_signature, remove, replace, sign, with_path, write_summary};
-use crate::table::{Layout, PROGRAM, Provenance, state_layout};
+use crate::table::{Layout, PROGRAM, Provenance, angles, state_layout};
 
 /// Writes a run into its folder.
 ///
@@ -26,6 +26,8 @@ pub struct Recorder {
     /// Text of the model file.
     text: String,
     selection: Selection,
+    /// Places in a row of the angles whose turns a state does not contain.
+    angles: Vec<usize>,
     interval: Option<CheckpointInterval>,
     /// Names and contents of the files of display geometry.
     display: Vec<(String, Vec<u8>)>,
@@ -47,8 +49,8 @@ pub struct Recorder {
 struct Selection {
     rows: RowSelection,
     states: StateSelection,
-    /// Last state, if it was not selected.
-    last: Option<(f64, State)>,
+    /// Last state, if it was not selected, with the first number and the counted angles of its row.
+    last: Option<(f64, State, Vec<f64>)>,
 }
 
 /// State of a recorder at a checkpoint.
@@ -80,10 +82,11 @@ impl Recorder {
             name: name.to_owned(),
             text: text.to_owned(),
             selection: Selection {
-                rows: RowSelection::new(model.output.every),
+                rows: RowSelection::new(model.row_interval()),
                 states: StateSelection::new(simulation, model),
                 last: None,
             },
+            angles: angles(simulation).into_iter().map(|(_, place)| place).collect(),
             interval: None,
             display: Vec::new(),
             flushed: now,
@@ -193,9 +196,9 @@ impl Recorder {
         self.files.as_mut().map_or(Ok(()), |files| files.write_row(row))
     }
 
-    fn write_state(&mut self, first: f64, state: &State) -> io::Result<()> {
+    fn write_state(&mut self, first: f64, state: &State, angles: &[f64]) -> io::Result<()> {
         let row = self.selection.states.row();
-        self.files.as_mut().map_or(Ok(()), |files| files.write_state(row, first, state))
+        self.files.as_mut().map_or(Ok(()), |files| files.write_state(row, first, state, angles))
     }
 
     fn flush(&mut self) -> io::Result<()> {
@@ -217,7 +220,7 @@ impl Recorder {
     fn complete(&mut self) -> io::Result<()> {
         let row = self.selection.rows.take_last().map_or(Ok(()), |row| self.write_row(&row));
         let last = self.selection.last.take().filter(|_| self.selection.states.lacks_last());
-        let state = last.map_or(Ok(()), |(first, state)| self.write_state(first, &state));
+        let state = last.map_or(Ok(()), |(first, state, angles)| self.write_state(first, &state, &angles));
         let flushed = self.flush();
         let finished = self.files.take().map_or(Ok(()), RunFiles::finish);
         row.and(state).and(flushed).and(finished)
@@ -238,15 +241,19 @@ impl Observer for Recorder {
             self.write_row(row)?;
         }
         let first = row.first().copied().unwrap_or_default();
+        let angles = self.angles.iter().map(|place| row[*place]);
         if self.selection.states.is_due(first) {
-            self.write_state(first, state)?;
+            let angles: Vec<f64> = angles.collect();
+            self.write_state(first, state, &angles)?;
         } else {
             match &mut self.selection.last {
-                Some((value, last)) => {
+                Some((value, last, counted)) => {
                     *value = first;
                     last.copy_from(state);
+                    counted.clear();
+                    counted.extend(angles);
                 }
-                None => self.selection.last = Some((first, state.clone())),
+                None => self.selection.last = Some((first, state.clone(), angles.collect())),
             }
         }
         if self.flushed.elapsed() >= FLUSH_INTERVAL {

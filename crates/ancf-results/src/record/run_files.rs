@@ -82,12 +82,18 @@ impl RunFiles {
         self.results.as_mut().map_or(Ok(()), |table| table.push(&[row]))
     }
 
-    /// Writes a state, given the number of its row and the first number of the row.
-    pub(super) fn write_state(&mut self, row: u64, first: f64, state: &State) -> io::Result<()> {
+    /// Writes a state, given the number of its row, and the first number and the counted angles of the row.
+    pub(super) fn write_state(
+        &mut self,
+        row: u64,
+        first: f64,
+        state: &State,
+        angles: &[f64],
+    ) -> io::Result<()> {
         let Some(table) = &mut self.states else { return Ok(()) };
         let head = [row as f64, first, state.load];
         let [q, v, a, lambda] = numbers_of_state(state);
-        table.push(&[&head, q, v, a, lambda])
+        table.push(&[&head, q, v, a, lambda, angles])
     }
 
     /// Writes all rows and states to the disk.

@@ -15,5 +15,5 @@ pub(crate) use growing_table::GrowingTable;
 pub(crate) use layout::Layout;
 pub(crate) use provenance::{PROGRAM, Provenance};
 pub use reader::verify_checksums;
-pub(crate) use reader::{has_checksums, metadata_of_table, rows_of_part, verify};
-pub(crate) use state_layout::{numbers_of_state, state_layout};
+pub(crate) use reader::{has_checksums, has_column, metadata_of_table, rows_of_part, verify};
+pub(crate) use state_layout::{ANGLES, angles, numbers_of_state, state_layout};

@@ -45,6 +45,11 @@ pub(crate) fn has_checksums(path: &Path) -> io::Result<Option<bool>> {
     Ok(first_file(path)?.map(|reader| reader.checksums.is_some()))
 }
 
+/// True if a table has a column of a name; `None` if there is no table.
+pub(crate) fn has_column(path: &Path, name: &str) -> io::Result<Option<bool>> {
+    Ok(first_file(path)?.map(|reader| reader.names().iter().any(|own| own == name)))
+}
+
 /// Verifies the checksums of a table, in parts or merged.
 pub(crate) fn verify(path: &Path) -> io::Result<()> {
     let mut number = 0;

@@ -114,7 +114,7 @@ fn kept_states_are_those_of_the_run() {
     );
     let simulation = results.simulation();
     let fields = Fields::new(simulation.assembly(), simulation.scales(), 1);
-    for StoredState { row, value, state } in &frames {
+    for StoredState { row, value, state, .. } in &frames {
         let row = usize::try_from(*row).unwrap();
         assert_eq!(columns.column("t").unwrap()[row], *value);
         let mut positions = Vec::new();

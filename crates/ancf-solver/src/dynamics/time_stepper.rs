@@ -107,7 +107,17 @@ impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
 
     /// Returns the energy that the integration itself made or lost since the start, and the energy of rounding errors.
     pub fn energy_record(&self) -> (EnergyRecord, f64) {
-        (self.motion.record, self.newton.rounding_energy() + self.motion.record.rounding())
+        (self.motion.record, self.rounding_energy() + self.motion.record.rounding())
+    }
+
+    /// Returns the energy of rounding errors: that of the stiffness and inertia, and the work of all forces over the rounding errors of
+    /// a unit size of the coordinates.
+    ///
+    /// A body that joints hold under its weight has no other energy.
+    fn rounding_energy(&self) -> f64 {
+        let mut floor = vec![0.0; self.eom.coordinates() + self.eom.multipliers()];
+        self.eom.rounding(&self.motion.state, &mut floor);
+        self.newton.rounding_energy() + floor[..self.eom.coordinates()].iter().sum::<f64>()
     }
 
     /// Returns the work of loads over the rounding error of a length.
@@ -233,9 +243,9 @@ impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
         };
         let energy = eom.energy(&motion.state);
         let mut record = motion.record.after((motion.energy, energy), exchange);
-        let mut is_permitted = self.guard.permits(&record, || self.newton.rounding_energy());
+        let mut is_permitted = self.guard.permits(&record, || self.rounding_energy());
         if !is_permitted {
-            record.include_size(eom.energy_size(&motion.state));
+            record.include_size(self.eom.energy_size(&self.motion.state));
             is_permitted = self.guard.permits(&record, || 0.0);
         }
         self.energies = EnergyAttempt { energy, power, exchange, record, ..self.energies };
@@ -243,7 +253,7 @@ impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
             return Ok(done);
         }
         self.energies.refused = self.energies.refused.saturating_add(1);
-        let worst = fastest_change(&motion.state, before, &self.newton.tangent.factor);
+        let worst = fastest_change(&self.motion.state, &self.before, &self.newton.tangent.factor);
         self.revert();
         Err(SolveError::after(done, to, SolveFailure::EnergyMade, worst))
     }

@@ -8,7 +8,7 @@ use super::operator::{EigenError, Operator};
 use super::refinement::{ACCURATE, CORRECTIONS, PROGRESS, combined, independent, projected};
 use super::softening::softening;
 use crate::equations::{EquationsOfMotion, State, Weights};
-use crate::factor::{Factor, SingularMatrix};
+use crate::factor::{Factor, SingularMatrix, is_zero_on_motions};
 use crate::newton::Interrupt;
 use crate::sparse::SparseMatrix;
 
@@ -114,13 +114,15 @@ pub fn buckling(
         Some(squared) if squared < 0.0 => return Err(EigenError::Indefinite),
         Some(_) => {}
     }
-    if !eom.skew_stiffness(&State { load: 1.0, ..s.clone() }).is_empty() {
-        return Err(EigenError::Nonconservative);
-    }
     let mut stiffness = matrix.clone();
     eom.tangent(s, Weights::STIFFNESS, &mut stiffness);
     let mut factor = Factor::new(matrix.pattern())?;
     factor.factorise(&stiffness)?;
+    let skew = eom.skew_stiffness(&State { load: 1.0, ..s.clone() });
+    let sizes = [eom.coordinates(), stiffness.pattern().size()];
+    if !is_zero_on_motions(&skew, sizes, |x| factor.solve(&stiffness, x))? {
+        return Err(EigenError::Nonconservative);
+    }
     let (softening, response) = softening(eom, s, &stiffness, &mut factor)?;
     if softening.values().iter().all(|value| *value == 0.0) {
         return Ok(CriticalLoads { response, ..CriticalLoads::default() });

@@ -9,6 +9,7 @@ mod null_space;
 mod products;
 mod scaled_lu;
 mod scales;
+mod skew_form;
 mod skew_part;
 mod sparse_row;
 
@@ -19,5 +20,6 @@ pub use inertia::inertia;
 pub use null_space::NullSpace;
 pub(crate) use products::Products;
 pub(crate) use scaled_lu::GeneralLu;
+pub use skew_form::is_zero_on_motions;
 pub(crate) use skew_part::solve_with_skew_part;
 pub use sparse_row::{SparseRow, SparseVector, sparse_row};

@@ -97,7 +97,7 @@ impl<'a, E: EquationsOfMotion> ArcLength<'a, E> {
         let metric = Metric::new(&*eom, &start, newton.tangent.matrix.clone(), [&response, &refined]);
         let tangent = metric.tangent(response, start.q.len());
         newton.record_energy(eom.energy(&start).largest());
-        let unstable = unstable_directions(&newton, &*eom, &start);
+        let unstable = unstable_directions(&mut newton, &*eom, &start);
         let trial_tangent = PathTangent::zero(tangent.z.len());
         let (trial, step) = (start.clone(), steps.first);
         Ok(Self {
@@ -296,7 +296,7 @@ impl<'a, E: EquationsOfMotion> ArcLength<'a, E> {
     fn update_tangent(&mut self, mut found: Equilibrium) -> Result<Equilibrium, SolveError> {
         let response = response(&mut self.newton, &*self.eom, &self.trial)
             .map_err(|failure| found.reject(failure, &self.trial))?;
-        found.unstable = unstable_directions(&self.newton, &*self.eom, &self.trial);
+        found.unstable = unstable_directions(&mut self.newton, &*self.eom, &self.trial);
         self.trial_tangent = self.metric.tangent(response, self.trial.q.len());
         if self.trial_tangent.product(&self.tangent) < 0.0 {
             self.trial_tangent.scale(-1.0);

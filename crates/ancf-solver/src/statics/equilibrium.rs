@@ -73,10 +73,14 @@ impl Equilibrium {
 }
 
 /// Returns the number of [unstable directions](Equilibrium::unstable) of an equilibrium.
-pub(super) fn unstable_directions(newton: &Newton, eom: &dyn EquationsOfMotion, s: &State) -> Option<usize> {
+pub(super) fn unstable_directions(
+    newton: &mut Newton,
+    eom: &dyn EquationsOfMotion,
+    s: &State,
+) -> Option<usize> {
     // With loads without a potential, an indefinite symmetric part does not imply instability.
-    let counts = |count: &usize| *count == 0 || eom.skew_stiffness(s).is_empty();
-    newton.unstable(eom).filter(counts)
+    let count = newton.unstable(eom)?;
+    (count == 0 || newton.tangent.is_symmetric_on_motions(eom, s)).then_some(count)
 }
 
 /// Rejects an equilibrium that is too far from the previous one. Returns the largest rotation relative to its limit.

@@ -95,7 +95,7 @@ impl CaseRow {
             Ok(simulation) => simulation.with_interrupt(interrupt.clone()),
             Err(errors) => return Self::without(CaseOutcome::Invalid, errors.to_string(), objectives),
         };
-        match simulation.run(&mut Every::new(model.output.every, &mut gauges)) {
+        match simulation.run(&mut Every::new(model.row_interval(), &mut gauges)) {
             Ok(summary) => Self::from_summary(model, &summary, &gauges),
             Err(error) => Self::without(CaseOutcome::Invalid, message_of(&error), objectives),
         }

@@ -20,14 +20,15 @@ impl Assembly {
                 continue;
             }
             let vectors = built.vectors(&s);
-            // The first vector is where the axis starts, or the centre.
-            let start = vectors.first().map_or_else(Vector3::zeros, |vector| vector.value);
+            // The first vector of other bodies is where the axis starts, or the centre.
+            let first = || vectors.first().map_or_else(Vector3::zeros, |vector| vector.value);
+            let about = if built.is_shell() { built.momentum(&s).center() } else { first() };
             // Along a shape that does not change, r(x, t) = r(x + u t): all vectors have the rates u ∂/∂x.
             let axial = built.mesh().filter(|_| body.motion().axial != 0.0);
             let axial = axial.map_or_else(Vec::new, |mesh| mesh.axial_derivatives(&s));
             for (i, vector) in vectors.iter().enumerate() {
                 let along = axial.get(i).map_or_else(Vector3::zeros, |rate| rate * body.motion().axial);
-                let velocity = body.motion().of(vector, start) + along;
+                let velocity = body.motion().of(vector, about) + along;
                 let own = &mut s.v[vector.first..vector.first + 3];
                 own.iter_mut().zip(&velocity).for_each(|(v, change)| *v += change);
             }

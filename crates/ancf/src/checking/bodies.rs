@@ -17,6 +17,7 @@ pub(crate) fn bodies(model: &IndexedModel<'_>) -> Vec<Finding> {
         let Some((section, material)) = body.section_and_material() else {
             findings.extend(rule_of_inertia(&path, body));
             findings.extend(rule_of_axial_motion(&path, body));
+            findings.extend(rule_of_spin(&path, body));
             continue;
         };
         if !model.sections.contains_key(section) {
@@ -55,6 +56,15 @@ fn rule_of_axial_motion(path: &str, body: &Body) -> Option<Finding> {
     (axial != 0.0).then(|| {
         let expected = "0 for a body without an axis: `velocity` is that of its centre";
         finding(format!("{path}.motion.axial"), number(axial), expected)
+    })
+}
+
+/// Checks that point masses have no rotation.
+fn rule_of_spin(path: &str, body: &Body) -> Option<Finding> {
+    let spin = body.motion().spin;
+    (matches!(body, Body::Mass(_)) && spin != [0.0; 3]).then(|| {
+        let found = format!("[{}] of a point mass", spin.map(number).join(", "));
+        finding(format!("{path}.motion.spin"), found, "no rotation of a point mass: state its `velocity`")
     })
 }
 

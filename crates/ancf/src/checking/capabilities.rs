@@ -2,9 +2,9 @@
 //! body no strain.
 
 use super::findings::{body, places_of};
-use crate::errors::{Finding, finding, quoted};
+use crate::errors::{Finding, finding, number, quoted};
 use crate::joints::End;
-use crate::model::{Body, Capability, IndexedModel, Quantity, joints_of, loads_of};
+use crate::model::{Body, Capability, IndexedModel, Probe, Quantity, joints_of, loads_of};
 
 pub(crate) fn capabilities(model: &IndexedModel<'_>) -> Vec<Finding> {
     let joints = joints_of(model).flat_map(|(path, joint)| {
@@ -103,12 +103,13 @@ fn arms(model: &IndexedModel<'_>) -> Vec<Finding> {
     unfit.collect()
 }
 
-/// Checks that points of sections are on bodies with sections.
+/// Checks that points of sections are on bodies with sections, and that strains and stresses are those of points of the material.
 fn section_points(model: &IndexedModel<'_>) -> Vec<Finding> {
     let probes = model.probes.iter().enumerate().filter(|(_, probe)| probe.offset != [0.0; 2]);
     let unfit = probes.filter_map(|(i, probe)| {
-        let (found, expected) = match body(model, &probe.on)?.1 {
-            Body::Beam(_) => return None,
+        let body = body(model, &probe.on)?.1;
+        let (found, expected) = match body {
+            Body::Beam(_) => return outside(model, i, probe, body),
             Body::Cable(_) => (
                 "an offset on a cable",
                 "no offset: the strain of a cable is that of its axis; \"section_forces\" contain its bending moment",
@@ -125,4 +126,26 @@ fn section_points(model: &IndexedModel<'_>) -> Vec<Finding> {
         Some(finding(format!("probes[{i}].offset"), found, expected).rests_on(["bodies".into()]))
     });
     unfit.collect()
+}
+
+/// Checks that a point at which strains or stresses are recorded is in the section, if the geometry of the section is known.
+fn outside(model: &IndexedModel<'_>, i: usize, probe: &Probe, body: &Body) -> Option<Finding> {
+    let is_local = |quantity: &Quantity| matches!(quantity, Quantity::Strain | Quantity::Stress);
+    let what = probe.record.iter().copied().find(is_local)?;
+    let Body::Beam(beam) = body else { return None };
+    if [Some(&beam.section), beam.section_end.as_ref()]
+        .into_iter()
+        .flatten()
+        .any(|name| !model.sections.contains_key(name))
+    {
+        return None;
+    }
+    let section = model.section_at(body, body.arc_length(&probe.on.at) / body.length())?;
+    section.shape().points()?;
+    let place = section.shape().outline().place_outside(probe.offset)?;
+    let quantity = if what == Quantity::Strain { "strain" } else { "stress" };
+    let found = format!("the {quantity} at [{}], {place}", probe.offset.map(number).join(", "));
+    let path = format!("probes[{i}].offset");
+    let error = finding(path, found, "a point (y, z) of the section, in the unit of length of the model");
+    Some(error.rests_on(["bodies".into(), "sections".into()]))
 }

@@ -12,8 +12,8 @@ use crate::errors::{Finding, finding, number};
 use crate::joints::{End, Joint};
 use crate::loads::Load;
 use crate::model::{
-    About, Analysis, IndexedModel, Initial, Model, Modes, ON_AXIS, Place, Statics, bodies_of, joints_of,
-    loads_of,
+    About, Analysis, IndexedModel, Initial, Model, Modes, ON_AXIS, Origin, Place, Statics, bodies_of,
+    joints_of, loads_of,
 };
 use crate::schema::join;
 use crate::units::ScaleChoice;
@@ -171,31 +171,47 @@ fn ends(path: &str, body_a: &str, body_b: &str) -> Vec<String> {
 fn initial(model: &IndexedModel<'_>) -> Vec<Finding> {
     let Initial { time, start_time, .. } = model.initial;
     let Some(folder) = model.starts_from() else {
+        if let (Origin::Equilibrium, Some(what)) = (&model.initial.from, without_start(&model.analysis)) {
+            let hint = "modes about an equilibrium: `analysis.about = \"equilibrium\"`";
+            let error =
+                finding("initial.from".into(), format!("an equilibrium for {what}"), STARTING).hint(hint);
+            return vec![error.rests_on(["analysis".into()])];
+        }
         let times = [("initial.time", time), ("initial.start_time", Some(start_time).filter(|t| *t != 0.0))];
         let stated = times.into_iter().filter_map(|(path, time)| Some((path, time?)));
         let expected = "no time without a results folder in `initial.from`";
         let rule = |(path, time): (&str, f64)| finding(path.into(), number(time), expected);
         return stated.map(|one| rule(one).rests_on(["initial.from".into()])).collect();
     };
-    let unsuitable = match &model.analysis {
-        Analysis::Dynamics(_) => return Vec::new(),
-        Analysis::Statics(own) if own.load == 0.0 => {
-            return vec![
-                finding("analysis.load".into(), "0", Statics::RELEASING).rests_on(["initial.from".into()]),
-            ];
-        }
-        Analysis::Statics(_) | Analysis::Modes(Modes { about: About::Equilibrium, .. }) => None,
-        Analysis::Modes(_) => Some("modes about the reference state"),
-        Analysis::Path(_) => Some("a path"),
-        Analysis::Buckling(_) => Some("critical loads"),
-    };
-    let start = unsuitable.map(|what| {
-        let expected = "\"undeformed\", or an analysis that starts in a state: dynamics, statics, modes about an equilibrium";
-        finding("initial.from".into(), format!("the results folder {folder:?} for {what}"), expected)
+    if let Analysis::Statics(Statics { load: 0.0, .. }) = model.analysis {
+        let error = finding("analysis.load".into(), "0", Statics::RELEASING);
+        return vec![error.rests_on(["initial.from".into()])];
+    }
+    if model.analysis.dynamics().is_some() {
+        return Vec::new();
+    }
+    let start = without_start(&model.analysis).map(|what| {
+        finding("initial.from".into(), format!("the results folder {folder:?} for {what}"), STARTING)
     });
     let start_time = (start_time != 0.0)
         .then(|| finding("initial.start_time".into(), number(start_time), "0 in an analysis without time"));
     start.into_iter().chain(start_time).map(|one| one.rests_on(["analysis".into()])).collect()
+}
+
+/// Analyses that start in a state.
+const STARTING: &str =
+    "\"undeformed\", or an analysis that starts in a state: dynamics, statics, modes about an equilibrium";
+
+/// Name of an analysis of the reference state; `None` for those that start in a state.
+const fn without_start(analysis: &Analysis) -> Option<&'static str> {
+    match analysis {
+        Analysis::Dynamics(_)
+        | Analysis::Statics(_)
+        | Analysis::Modes(Modes { about: About::Equilibrium, .. }) => None,
+        Analysis::Modes(_) => Some("modes about the reference state"),
+        Analysis::Path(_) => Some("a path"),
+        Analysis::Buckling(_) => Some("critical loads"),
+    }
 }
 
 /// Checks that the scales of the paper are used for a model like that of the paper.

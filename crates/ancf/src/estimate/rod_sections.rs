@@ -1,15 +1,16 @@
 use ancf_mechanics::kinematics::ReferenceCurve;
-use ancf_mechanics::rods::RodSection;
+use ancf_mechanics::rods::{AxialLaw, RodSection};
 use ancf_mechanics::sections::Lame;
 use nalgebra::{Matrix3, Vector3};
 
-use crate::model::{Beam, Body, Model};
+use crate::model::{Beam, Body, MaterialLaw, Model};
 
 /// Elasticity and reference curvature of a flexible body as a rod.
 pub(super) struct RodSections<'a> {
     model: &'a Model,
     body: &'a Body,
     material: Lame,
+    is_neo_hookean: bool,
     poisson: f64,
     length: f64,
     /// Section of a prismatic body.
@@ -34,6 +35,7 @@ impl<'a> RodSections<'a> {
             model,
             body,
             material: material.lame(),
+            is_neo_hookean: material.law == MaterialLaw::NeoHookean,
             poisson: material.poisson,
             length,
             constant: None,
@@ -57,6 +59,10 @@ impl<'a> RodSections<'a> {
         let section = section.cross_section(self.poisson);
         match self.body {
             Body::Cable(_) => RodSection::cable(&section, self.material),
+            // The neo-Hookean law differs from Green's strain and from the linear law by the order of the strain.
+            _ if self.is_neo_hookean => {
+                RodSection { law: AxialLaw::Linear, ..RodSection::beam(&section, self.material) }
+            }
             _ => RodSection::beam(&section, self.material),
         }
     }

@@ -117,8 +117,10 @@ fn without_potential(
     if system.skew_stiffness(s).is_empty() {
         return None;
     }
-    if is_stable && skew_ratio(system, system.matrix(), s).is_ok_and(|ratio| ratio < DAMPED) {
-        return Some(Ok(None));
+    match skew_ratio(system, system.matrix(), s) {
+        Ok(0.0) => return None,
+        Ok(ratio) if is_stable && ratio < DAMPED => return Some(Ok(None)),
+        _ => {}
     }
     let Ok(modes) = nonconservative_modes(system, system.matrix(), s, MODES, &Interrupt::default()) else {
         return Some(Err(()));
@@ -133,12 +135,13 @@ fn without_potential(
         let kind = if mode.omega_squared.im == 0.0 {
             "diverges".to_owned()
         } else {
-            format!("flutters at the frequency {frequency:.4e}")
+            format!("flutters at the frequency {}", short(frequency))
         };
         format!(
             "the last equilibrium, at load factor {}, is unstable under its loads without a potential: it {kind}, with the \
-             growth rate {growth:.4e}; modes with `about = \"equilibrium\"` have the details",
-            short(s.load)
+             growth rate {}; modes with `about = \"equilibrium\"` have the details",
+            short(s.load),
+            short(growth)
         )
     })))
 }

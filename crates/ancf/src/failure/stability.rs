@@ -1,7 +1,7 @@
 //! Stability of a state by the inertia of its tangent stiffness.
 
 use ancf_solver::equations::{EquationsOfMotion, State, Weights};
-use ancf_solver::factor::{Factor, inertia};
+use ancf_solver::factor::{Factor, inertia, is_zero_on_motions};
 use serde::{Deserialize, Serialize};
 
 use crate::assembly::Assembly;
@@ -55,18 +55,18 @@ fn instability_of(
     assembly: &Assembly,
     s: &State,
 ) -> Option<Instability> {
-    if !system.skew_stiffness(s).is_empty() {
-        return None;
-    }
     let mut k = system.matrix();
     system.tangent(s, Weights::STIFFNESS, &mut k);
     let mut factor = Factor::new(k.pattern()).ok()?;
     factor.factorise(&k).ok()?;
     let count = factor.negative_pivots().or_else(|| inertia(&k))?.checked_sub(system.multipliers())?;
-    if count == 0 {
+    let (n, sizes) = (s.q.len(), [s.q.len(), k.pattern().size()]);
+    let is_symmetric = |factor: &mut Factor| {
+        is_zero_on_motions(&system.skew_stiffness(s), sizes, |x| factor.solve(&k, x)).unwrap_or(false)
+    };
+    if count == 0 || !is_symmetric(&mut factor) {
         return None;
     }
-    let n = s.q.len();
     // Pseudo-random start vector: components along all eigenvectors.
     let mut x: Vec<f64> =
         (0..k.pattern().size()).map(|i| ((i + 1) as f64 * 0.754_877_67).fract() - 0.5).collect();

@@ -50,7 +50,8 @@ impl InitialState {
         let frozen = IndexedModel::new(model).assembled(TimeMode::AtStart);
         let assembly = &frozen.expect("gaps that were closed for the motion are closed for its equilibrium");
         let settings = &model.initial.statics.settings();
-        let (mut stability, mut turns) = (EquilibriumStability::default(), TurnCounter::new(assembly, rows)?);
+        let (mut stability, mut turns) =
+            (EquilibriumStability::default(), TurnCounter::new(&assembly.system, &assembly.rest(), rows)?);
         let [mut increments, mut iterations] = [0, 0];
         let mut unstable = None;
         let mut each = |s: &State, found: Option<&Equilibrium>| {

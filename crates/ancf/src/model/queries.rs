@@ -12,7 +12,7 @@ use crate::model::bodies::{Beam, Body, Layup, PointMass, Rigid, ShearShell, Shel
 use crate::model::contacts::{Contact, ObstacleKind};
 use crate::model::functions::{JointLaw, LawUse, TimeFunction, TimeMode, Varying};
 use crate::model::sections::Section;
-use crate::model::{Model, Origin};
+use crate::model::{Analysis, Model, Origin};
 
 impl Model {
     /// True if the program added joints, loads or sections of kinds that model files do not have.
@@ -85,6 +85,15 @@ impl Model {
     /// Treatment of functions of time in the analysis of the model.
     pub(crate) const fn time_mode(&self) -> TimeMode {
         if self.analysis.dynamics().is_some() { TimeMode::AsGiven } else { TimeMode::One }
+    }
+
+    /// Interval of the recorded rows, at least 1: `output.every`, and 1 for modes, critical loads and points of paths, which are all
+    /// recorded.
+    pub fn row_interval(&self) -> u32 {
+        match self.analysis {
+            Analysis::Modes(_) | Analysis::Buckling(_) | Analysis::Path(_) => 1,
+            Analysis::Dynamics(_) | Analysis::Statics(_) => self.output.every.max(1),
+        }
     }
 
     /// True if the analysis is a motion from the undeformed state, where drives are zero and points of joints coincide.

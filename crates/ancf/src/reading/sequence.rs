@@ -273,6 +273,9 @@ impl Source {
         self.leave_out(&mut data, &mut places, &self.names[number]);
         data.insert("analysis".into(), analysis);
         self.start_from_last(&mut data, number, time);
+        if number + 1 < self.analyses.len() {
+            store_last_state(&mut data);
+        }
         (data, places, findings)
     }
 
@@ -317,7 +320,11 @@ impl Source {
         };
         let about = self.analyses[number].get("about").and_then(Value::as_str);
         if is_of(number, &["modes"]) && about != Some("equilibrium") {
-            return; // About the undeformed state.
+            // About the undeformed state: `initial` is that of the first analysis.
+            if number > 0 {
+                data.remove("initial");
+            }
+            return;
         }
         let Some(last) = (0..number).rev().find(|i| !is_of(*i, &["modes", "buckling"])) else { return };
         data.remove("assemble");
@@ -332,6 +339,15 @@ impl Source {
             let bodies = data.get_mut("bodies").and_then(Value::as_array_mut).into_iter().flatten();
             bodies.filter_map(Value::as_table_mut).for_each(|body| _ = body.remove("motion"));
         }
+    }
+}
+
+/// Stores the first and the last state of an analysis whose file requests none: the next analysis may start there.
+fn store_last_state(data: &mut Table) {
+    if let Some(Value::Table(output)) = data.get_mut("output")
+        && output.get("states").and_then(Value::as_integer) == Some(0)
+    {
+        output.insert("states".into(), 2.into());
     }
 }
 

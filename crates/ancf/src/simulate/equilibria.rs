@@ -85,7 +85,8 @@ impl AnalysisRun<'_> {
         self.summary.initial = given.map(StartState::released);
         let prepared = load_stepper(&system, settings, state, self.interrupt).and_then(|mut statics| {
             statics.include_near_terms()?;
-            Ok((statics, TurnCounter::new(assembly, &rows)?))
+            let turns = TurnCounter::new(&system, statics.state(), &rows)?;
+            Ok((statics, turns))
         });
         let (mut statics, mut turns) = match prepared {
             Ok(prepared) => prepared,

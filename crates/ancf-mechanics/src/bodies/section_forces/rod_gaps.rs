@@ -82,16 +82,14 @@ impl BeamMesh {
         let forces = loads.forces;
         let prestrained = |xi: f64| {
             let (strain, curvature) = self.prestrain(state, element, xi);
-            let section = section(xi).prestrained(strain, curvature);
-            // The strains of cables are linear in the stretch.
-            if self.has_sections() { section.of_green_strains() } else { section }
+            section(xi).prestrained(strain, curvature)
         };
         let [first, end] = [0.0, 1.0].map(|xi| self.placement(state, element, xi));
         let middle = section(0.5);
         let law = {
             let seen = |x: &Vector3<f64>| first.frame.tr_mul(x);
-            let stiffening = if self.has_sections() { prestrained(0.5).stiffening() - 1.0 } else { 0.0 };
-            middle.law_difference(&seen(&forces[0]), &seen(&loads.moment)) + stiffening.abs()
+            let stiffening = (prestrained(0.5).stiffening() - 1.0).abs();
+            middle.law_difference(&seen(&forces[0]), &seen(&loads.moment)) + stiffening
         };
         let tension = 0.5 * (forces[0] + forces[1]).dot(&(end.position - first.position)) / self.length;
         let slenderness = self.length.powi(2) * middle.flexibility();

@@ -57,9 +57,11 @@ fn changes(g0: &Directors, change: &Change) -> Directors {
     u
 }
 
-/// Returns the section strains of a change of shape.
-pub(crate) fn prestrains(g0: &Directors, change: &Change) -> Strains {
-    prescribed(all_strains(g0, &changes(g0, change)))
+/// Returns the section strains of a change of shape, and their rates for its rate.
+pub(crate) fn section_prestrains(g0: &Directors, [change, rate]: &[Change; 2]) -> [Strains; 2] {
+    let [u, v] = [change, rate].map(|change| changes(g0, change));
+    let moved = std::array::from_fn(|k| g0[k] + u[k]);
+    [all_strains(g0, &u), all_rates(&moved, &v)].map(prescribed)
 }
 
 /// Sets the strains of the variation of r_x along an element to zero: they follow from those of its sections.

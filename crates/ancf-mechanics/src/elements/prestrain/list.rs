@@ -26,22 +26,18 @@ impl Prestrains {
         Self { sources, terms }
     }
 
-    /// Returns true without sources.
-    pub(crate) fn is_empty(&self) -> bool {
-        self.sources.is_empty()
-    }
-
     /// Copies the terms.
     pub(crate) fn copied(&self) -> impl Iterator<Item = Box<dyn Term>> {
         self.terms.iter().flatten().map(|term| term.copied())
     }
 
-    /// Returns the change of shape at ξ of an element at its place in a state.
-    pub(crate) fn change(&self, state: &State, place: ElementPlace, xi: f64) -> Change {
+    /// Returns the change of shape at ξ of an element at its place in a state, and its rate.
+    pub(crate) fn changes(&self, state: &State, place: ElementPlace, xi: f64) -> [Change; 2] {
         let ElementPlace { start, length } = place;
         let covering = self.sources.iter().filter(|source| source.covers(start, length));
-        covering.fold(Change::default(), |sum, source| {
-            sum.plus(&source.at(start + xi * length), source.factor(state.t, state.load)[0])
+        covering.fold([Change::default(); 2], |sums, source| {
+            let (change, factors) = (source.at(start + xi * length), source.factor(state.t, state.load));
+            [0, 1].map(|k| sums[k].plus(&change, factors[k]))
         })
     }
 

@@ -6,7 +6,7 @@ mod list;
 mod source;
 mod term;
 
-pub(crate) use beam::prestrains;
+pub(crate) use beam::section_prestrains;
 pub(crate) use list::Prestrains;
 pub use source::Prestrain;
 pub(crate) use source::{Change, ElementPlace};

@@ -87,21 +87,24 @@ impl SurfacePrestrains {
         factors(&self.sources, state.t, state.load)
     }
 
-    /// Returns the prescribed strains of an element at a point of its reference surface, for factors of the sources.
+    /// Returns the prescribed strains of an element at a point of its reference surface, and their rates, for factors of the sources.
     pub(crate) fn at(
         &self,
         element: usize,
         law: &SurfaceLaw,
         point: &ReferencePoint,
         factors: &Factors,
-    ) -> Covariant {
-        let mut sum = [Vector3::zeros(); 2];
+    ) -> [Covariant; 2] {
+        let mut sums = [[Vector3::zeros(); 2]; 2];
         let covering = self.sources.iter().zip(factors).filter(|(source, _)| source.covers(element));
         let (here, factors): (Vec<&SurfacePrestrain>, Vec<&[f64; 2]>) = covering.unzip();
         each_part(&here, |sources, field| {
-            let factor: f64 = sources.iter().flatten().map(|k| factors[*k][0]).product();
-            sum.iter_mut().zip(field(law, point)).for_each(|(sum, strain)| *sum += strain * factor);
+            let [[f, df], [g, dg]] = sources.map(|source| source.map_or([1.0, 0.0], |k| *factors[k]));
+            let strains = field(law, point);
+            for (sum, factor) in sums.iter_mut().zip([f * g, df * g + f * dg]) {
+                sum.iter_mut().zip(strains).for_each(|(sum, strain)| *sum += strain * factor);
+            }
         });
-        sum
+        sums
     }
 }

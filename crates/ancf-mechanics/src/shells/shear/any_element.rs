@@ -12,7 +12,7 @@ use super::profile::{reference_point, tangents};
 use super::strains::{ShearTables, Vectors};
 use crate::shells::laminates::SectionField;
 use crate::shells::prestrain::{ElementPrestrain, ReferencePoint, SurfacePrestrain};
-use crate::shells::surface_stress::membrane_strain;
+use crate::shells::surface_stress::{membrane_rate, membrane_strain};
 
 /// Element of a mesh: a quadrilateral or a triangle.
 #[derive(Clone, Debug)]
@@ -40,6 +40,10 @@ pub(crate) trait ElementData {
     /// Returns the strains of the surface with the enhanced ones, at its integration points, for displacements of the nodal
     /// vectors.
     fn surface_strains(&self, u: &[Vector3<f64>]) -> DVector<f64>;
+    /// Returns the rates of these strains, for displacements and velocities of the nodal vectors.
+    fn surface_rates(&self, u: &[Vector3<f64>], v: &[Vector3<f64>]) -> DVector<f64>;
+    /// Returns the rate of the membrane strain at a point without enhanced strains.
+    fn membrane_rate(&self, at: [f64; 2], u: &[Vector3<f64>], v: &[Vector3<f64>]) -> Vector3<f64>;
     /// Returns the membrane strain (ξξ, ηη, 2 ξη) at a point without enhanced strains, for displacements of the nodal vectors.
     fn membrane_strain(&self, at: [f64; 2], u: &[Vector3<f64>]) -> Vector3<f64>;
 }
@@ -81,6 +85,16 @@ impl<const V: usize, const S: usize, const C: usize> ElementData for ShearElemen
 
     fn surface_strains(&self, u: &[Vector3<f64>]) -> DVector<f64> {
         self.profile.enhanced(&self.strains(&vectors(u)))
+    }
+
+    fn surface_rates(&self, u: &[Vector3<f64>], v: &[Vector3<f64>]) -> DVector<f64> {
+        self.profile.enhanced(&self.strain_rates(&vectors(u), &vectors(v)))
+    }
+
+    fn membrane_rate(&self, at: [f64; 2], u: &[Vector3<f64>], v: &[Vector3<f64>]) -> Vector3<f64> {
+        let (rest, shape) = (self.tangents(at), self.profile.shape);
+        let moved = tangents(shape, at, u).0;
+        membrane_rate([[rest[0] + moved[0], rest[1] + moved[1]], tangents(shape, at, v).0])
     }
 
     fn membrane_strain(&self, at: [f64; 2], u: &[Vector3<f64>]) -> Vector3<f64> {

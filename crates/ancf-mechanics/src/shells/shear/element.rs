@@ -79,6 +79,13 @@ impl<const V: usize, const S: usize, const C: usize> ShearElement<V, S, C> {
         self.tables.strains(&self.profile.fields, &self.tables.fields(u))
     }
 
+    /// Computes the rates of the strains for displacements and velocities of the nodal vectors.
+    pub(super) fn strain_rates(&self, u: &Vectors<V>, v: &Vectors<V>) -> Strains<S> {
+        let mut fields = self.tables.fields(u);
+        fields.iter_mut().zip(&self.profile.fields).for_each(|(field, rest)| *field += rest);
+        self.tables.rates(&fields, &self.tables.fields(v))
+    }
+
     pub(super) fn state(&self, q: &[f64]) -> ShearState<S> {
         let (rest, mut fields) = (&self.profile.fields, self.tables.fields(&vectors::<V>(q)));
         let strains = self.tables.strains(rest, &fields);

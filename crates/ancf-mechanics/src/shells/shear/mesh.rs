@@ -151,9 +151,18 @@ impl ShearShellMesh {
 
     /// Returns the displacements of the nodal vectors of an element in a state.
     pub(crate) fn displacements(&self, s: &State, element: usize) -> SmallVec<[Vector3<f64>; FACE_VECTORS]> {
+        self.vectors_in(&s.q, element)
+    }
+
+    /// Returns the parts of the nodal vectors of an element in the coordinates or velocities.
+    pub(crate) fn vectors_in(
+        &self,
+        coordinates: &[f64],
+        element: usize,
+    ) -> SmallVec<[Vector3<f64>; FACE_VECTORS]> {
         let of = |node: &usize| [0, 3].map(|kind| self.first + 6 * node + kind);
         let starts = self.faces[element].nodes().iter().flat_map(of);
-        starts.map(|start| Vector3::from_column_slice(&s.q[start..start + 3])).collect()
+        starts.map(|start| Vector3::from_column_slice(&coordinates[start..start + 3])).collect()
     }
 
     /// Returns the node and the kind of vector to which a coordinate of this mesh belongs.

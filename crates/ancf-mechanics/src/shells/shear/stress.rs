@@ -1,37 +1,53 @@
 //! Strains and stresses of a shear-deformable shell at any point.
 
 use ancf_solver::equations::State;
-use nalgebra::Vector3;
+use nalgebra::{DVector, Vector3};
 
+use super::any_element::ElementData;
 use super::faces::{NODES, Shape};
 use super::mesh::{ShearShellMesh, SurfacePlace};
 use super::strains::SURFACE;
 use crate::shells::laminates::to_orthonormal;
 use crate::shells::prestrain::Factors;
-use crate::shells::surface_stress::{SurfaceStress, direction};
+use crate::shells::surface_stress::{PointStrains, SurfaceStrains, SurfaceStress, direction};
 
-/// Membrane strains and curvatures of the surface, in an orthonormal frame.
-type SurfaceStrains = [Vector3<f64>; 2];
-
-/// Strains of an element at its nodes: extrapolated from four integration points, or constant.
+/// Strains of an element at its nodes, extrapolated from four integration points, or constant.
 type NodalStrains = [SurfaceStrains; NODES];
 
 /// Stresses of a shear-deformable shell in a state, for evaluation at many points.
 #[derive(Clone, Debug)]
 pub struct ShearStressField<'a> {
     mesh: &'a ShearShellMesh,
-    elements: Vec<NodalStrains>,
+    elements: Vec<[NodalStrains; 2]>,
     factors: Factors,
 }
 
-/// Computes the strains at the integration points, and extrapolates them to the nodes.
+/// Computes the strains at the integration points, and their rates times the retardation time, and extrapolates them to the nodes.
 ///
 /// Membrane strains of an element with a law of the membrane are those at the nodes: extrapolated ones could be below -½, which no
 /// deformation has.
-fn strains(mesh: &ShearShellMesh, s: &State, element: usize) -> NodalStrains {
+fn strains(mesh: &ShearShellMesh, s: &State, element: usize) -> [NodalStrains; 2] {
     let (shape, data) = (mesh.faces()[element].shape(), mesh.elements()[element].data());
     let moved = mesh.displacements(s, element);
-    let strains = data.surface_strains(&moved);
+    let total =
+        extrapolated(shape, data, &data.surface_strains(&moved), |at| data.membrane_strain(at, &moved));
+    let time = data.medium().retardation;
+    if time == 0.0 {
+        return [total, NodalStrains::default()];
+    }
+    let mut rates = mesh.vectors_in(&s.v, element);
+    rates.iter_mut().for_each(|rate| *rate *= time);
+    let of_surface = data.surface_rates(&moved, &rates);
+    [total, extrapolated(shape, data, &of_surface, |at| data.membrane_rate(at, &moved, &rates))]
+}
+
+/// Extrapolates strains from the integration points to the nodes. `at_node` returns the membrane strain at a node.
+fn extrapolated(
+    shape: Shape,
+    data: &dyn ElementData,
+    strains: &DVector<f64>,
+    at_node: impl Fn([f64; 2]) -> Vector3<f64>,
+) -> NodalStrains {
     let to_local = |at: [f64; 2]| {
         let [t, s] = data.tangents(at);
         to_orthonormal([&t, &s], &data.medium().axis)
@@ -51,7 +67,7 @@ fn strains(mesh: &ShearShellMesh, s: &State, element: usize) -> NodalStrains {
                 let corner = shape.corners()[a];
                 let [membrane, bending] =
                     weighted(&shape.values(corner.map(|x| (x - low) / (high - low)))[0], &values);
-                let at_corner = || to_local(corner) * data.membrane_strain(corner, &moved);
+                let at_corner = || to_local(corner) * at_node(corner);
                 [if has_law { at_corner() } else { membrane }, bending]
             })
         }
@@ -76,7 +92,7 @@ impl<'a> ShearStressField<'a> {
 }
 
 impl ShearShellMesh {
-    /// Returns strains, resultants and stresses at a place in a state, without those of the damping.
+    /// Returns strains, resultants and stresses at a place in a state.
     ///
     /// Strains are extrapolated from the integration points. At a node they are the means of the elements there, in the
     /// orthonormal frame whose first direction is the projection of the axis of the whole shell.
@@ -89,14 +105,13 @@ impl ShearShellMesh {
         &self,
         place: SurfacePlace,
         factors: &Factors,
-        of: impl Fn(usize) -> NodalStrains,
+        of: impl Fn(usize) -> [NodalStrains; 2],
     ) -> SurfaceStress {
-        let mut sums = [[Vector3::zeros(); 2]; 2];
+        let mut mean = PointStrains::default();
         let mut add = |place: SurfacePlace, share: f64| {
-            let own = weighted(&self.faces()[place.element].weights(place.at), &of(place.element));
-            for (sum, own) in sums.iter_mut().zip([own, self.prescribed_strains(place, factors)]) {
-                sum.iter_mut().zip(own).for_each(|(sum, own)| *sum += own * share);
-            }
+            let weights = self.faces()[place.element].weights(place.at);
+            let own = of(place.element).map(|strains| weighted(&weights, &strains));
+            mean.add(share, &own, &self.prescribed_strains(place, factors));
         };
         match self.node_at(place) {
             Some(node) => {
@@ -109,8 +124,8 @@ impl ShearShellMesh {
             }
             None => add(place, 1.0),
         }
-        let (law, [total, prescribed]) = (self.law_at(place), sums);
-        SurfaceStress::new(&law.section, self.direction_of(law.axis, place), total, prescribed)
+        let law = self.law_at(place);
+        SurfaceStress::new(&law.section, self.direction_of(law.axis, place), mean)
     }
 
     /// Returns cosine and sine of the angle about the normal from the first direction of stresses to the projection of an axis.
@@ -126,15 +141,16 @@ impl ShearShellMesh {
         }
     }
 
-    /// Returns the prescribed strains at a place, in the orthonormal frame of stresses.
-    fn prescribed_strains(&self, place: SurfacePlace, factors: &Factors) -> SurfaceStrains {
+    /// Returns the prescribed strains at a place, in the orthonormal frame of stresses, and their rates times the retardation time.
+    fn prescribed_strains(&self, place: SurfacePlace, factors: &Factors) -> [SurfaceStrains; 2] {
         if factors.is_empty() {
-            return [Vector3::zeros(); 2];
+            return [[Vector3::zeros(); 2]; 2];
         }
         let data = self.elements()[place.element].data();
         let (point, law) = (data.reference_point(place.at), self.law_at(place));
         let covariant = self.prestrains().at(place.element, &law, &point, factors);
         let to_local = to_orthonormal(point.tangents.each_ref(), &data.medium().axis);
-        covariant.map(|strain| to_local * strain)
+        let [strains, rates] = covariant.map(|part| part.map(|strain| to_local * strain));
+        [strains, rates.map(|rate| rate * data.medium().retardation)]
     }
 }

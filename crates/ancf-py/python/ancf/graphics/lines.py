@@ -97,6 +97,8 @@ class Lines:
     def positions(self, row: int, scale: float | None = None) -> Array:
         """Return the positions in a frame with deflections multiplied by `scale`, `[station, 3]`."""
         scale = self.scale(row) if scale is None else scale
+        if not np.isfinite(scale):
+            raise ValueError(f"scale: found {scale}, expected a finite number")
         if self.shapes is not None:
             shape: Array = self.path[row] + scale * self.shapes[row]
             return shape

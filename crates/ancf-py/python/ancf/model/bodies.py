@@ -84,7 +84,7 @@ class InitialMotion(Part):
     Attributes
     ----------
     about
-        Point c, length; the start of the axis, or the centre of a rigid body, by default.
+        Point c, length; the start of the axis, or the centre of mass of a rigid body or shell, by default.
     axial
         Speed of a beam or cable along its own axis towards its end, length/time. Its shape does not change.
         Default: ``0.0``.
@@ -260,7 +260,7 @@ class Layer(Part):
         Angle of the fibres about the normal, in radians, from the direction of u or the projection of
         ``fibre_axis``. Default: ``0.0``.
     material
-        Name of the material, a key of ``materials``; that of the shell by default.
+        Name of the material, a key of ``materials``; that of the shell by default. Or the material itself.
     thickness
         Thickness, length. By default all layers are equally thick. Given thicknesses sum up to the thickness
         of the shell; where that varies, they are proportions of it (> 0).
@@ -268,9 +268,12 @@ class Layer(Part):
     """
 
     _form = "Layer"
+    _tables: ClassVar[Mapping[str, str]] = {
+        "material": "materials",
+    }
 
     angle: float | None = None
-    material: str | None = None
+    material: str | Material | None = None
     thickness: float | None = None
 
 

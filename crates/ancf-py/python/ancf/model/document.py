@@ -82,7 +82,7 @@ class Document(Part):
 
 def _named(kind: str, name: str, parts: Sequence[Any] | None) -> Any:
     """Return the part with a name."""
-    names = [part.name for part in parts or ()]
+    names = [part.get("name") if isinstance(part, Mapping) else part.name for part in parts or ()]
     if name not in names:
         raise KeyError(f"no {kind} is called {name!r}; there are {names}")
     return (parts or ())[names.index(name)]

@@ -89,8 +89,8 @@ class Output(Part):
         three times as long. In statics those of the mesh. With shells those of the mesh, also of undamped
         modes and buckling, follow from a second solution with four times the elements. Default: ``False``.
     every
-        Recording of every n-th instant only. The first and the last instant are always recorded (>= 1).
-        Default: ``1``.
+        Recording of every n-th instant or load factor only. The first and the last one are always recorded,
+        and all modes, critical loads and points of paths (>= 1). Default: ``1``.
     interval
         Interval of recorded instants, time. A step ends at each of them. Every step is recorded by default (>
         0).

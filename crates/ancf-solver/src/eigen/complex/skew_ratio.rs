@@ -2,7 +2,7 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::eigen::operator::{EigenError, PseudoRandom};
 use crate::equations::{EquationsOfMotion, State, Weights};
-use crate::factor::Factor;
+use crate::factor::{Factor, is_zero_on_motions};
 use crate::sparse::SparseMatrix;
 
 /// Largest dimension of the Krylov space.
@@ -10,10 +10,6 @@ const LARGEST: usize = 200;
 /// Relative change of the result, in each of several steps, at which it is accepted.
 const TOLERANCE: f64 = 1e-4;
 const STEPS: usize = 4;
-/// Form yᵀ A w, relative to the sum of the absolute values of its terms, that is zero but for rounding errors.
-const ROUNDING: f64 = 1e-11;
-/// Number of vectors on which the form is examined.
-const EXAMINED: usize = 4;
 /// Squared norm of a new vector, relative to that before orthogonalisation, below which the space is invariant.
 const INVARIANT: f64 = 1e-20;
 
@@ -35,6 +31,10 @@ pub fn skew_ratio(eom: &dyn EquationsOfMotion, matrix: SparseMatrix, s: &State) 
     let mut factor = Factor::new(left.pattern())?;
     factor.factorise(&left)?;
     let (entries, n) = (eom.skew_stiffness(s), eom.coordinates());
+    let sizes = [n, left.pattern().size()];
+    if is_zero_on_motions(&entries, sizes, |x| factor.solve(&left, x))? {
+        return Ok(0.0);
+    }
     let mut random = PseudoRandom(31);
     let mut solve = |force: &DVector<f64>| -> Result<DVector<f64>, EigenError> {
         let mut x = force.as_slice().to_vec();
@@ -43,10 +43,6 @@ pub fn skew_ratio(eom: &dyn EquationsOfMotion, matrix: SparseMatrix, s: &State) 
         x.truncate(n);
         Ok(x.into())
     };
-    let examined = (0..EXAMINED).map(|_| solve(&DVector::from_fn(n, |_, _| random.number())));
-    if is_zero(&entries, &examined.collect::<Result<Vec<_>, _>>()?) {
-        return Ok(0.0);
-    }
     let mut force = DVector::zeros(n);
     for &(i, j, value) in &entries {
         force[i] += value * random.number();
@@ -90,20 +86,6 @@ pub fn skew_ratio(eom: &dyn EquationsOfMotion, matrix: SparseMatrix, s: &State) 
         space.push([next, next_force]);
         vector = solve(&force)?;
     }
-}
-
-/// Returns true if yᵀ A w is a rounding error for all pairs of vectors.
-fn is_zero(entries: &[(usize, usize, f64)], vectors: &[DVector<f64>]) -> bool {
-    let form = |y: &DVector<f64>, w: &DVector<f64>| {
-        let products = |&(i, j, value): &(usize, usize, f64)| [y[i] * value * w[j], -y[j] * value * w[i]];
-        let terms = entries.iter().flat_map(products);
-        terms.fold([0.0, 0.0], |[sum, size]: [f64; 2], term| [sum + term, size + term.abs()])
-    };
-    let mut pairs = vectors.iter().enumerate().flat_map(|(k, y)| vectors[..k].iter().map(move |w| (y, w)));
-    pairs.all(|(y, w)| {
-        let [sum, size] = form(y, w);
-        sum.abs() <= ROUNDING * size
-    })
 }
 
 /// Computes A x.

@@ -50,13 +50,19 @@ pub(crate) fn shells(model: &IndexedModel<'_>) -> Vec<Finding> {
     findings
 }
 
-/// Checks that a shell with a law of the membrane has one isotropic material.
+/// Checks that a shell with a law of the membrane has one isotropic material, and a tension field if it states the slack.
 fn rule_of_membrane(
     model: &IndexedModel<'_>,
     path: &str,
     (membrane, layup): (Option<&Membrane>, Layup<'_>),
 ) -> Option<Finding> {
-    membrane?;
+    let membrane = membrane?;
+    if !membrane.tension_field && membrane.slack != Membrane::default().slack {
+        let found = format!("{} without a tension field", number(membrane.slack));
+        let path = format!("{path}.membrane");
+        let error = finding(format!("{path}.slack"), found, "`tension_field = true`, or no key `slack`");
+        return Some(error.rests_on([format!("{path}.tension_field")]));
+    }
     let is_orthotropic =
         model.materials.get(layup.material).is_some_and(|material| material.orthotropic.is_some());
     let (found, owner) = if !layup.layers.is_empty() {

@@ -70,7 +70,8 @@ pub struct Output {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub interval: Option<f64>,
-    /// Recording of every n-th instant only. The first and the last instant are always recorded.
+    /// Recording of every n-th instant or load factor only. The first and the last one are always recorded, and all modes,
+    /// critical loads and points of paths.
     #[schemars(range(min = 1))]
     pub every: u32,
     /// True to record the parts of the strain energy of each body.

@@ -5,6 +5,7 @@ use ancf_solver::newton::Interrupt;
 use super::kinks::Kinks;
 use super::shapes::{MAX_RESIDUAL, MODE_COLUMNS, state_about};
 use crate::assembly::Assembly;
+use crate::errors::short;
 use crate::estimate::{DiscretisationErrors, FrequencyErrors, GIVEN_START, GapField, HalvedModel};
 use crate::failure::RunFailure;
 use crate::initial::StartState;
@@ -70,7 +71,9 @@ impl FoundMode {
     fn flutter_text(&self, number: usize, rate: f64) -> Option<String> {
         let [frequency, growth] = self.flutter?.map(|x| x * rate);
         Some(format!(
-            "mode {number} flutters under loads without a potential: frequency {frequency:.6e}, growth rate {growth:.6e}"
+            "mode {number} flutters under loads without a potential: frequency {}, growth rate {}",
+            short(frequency),
+            short(growth)
         ))
     }
 }

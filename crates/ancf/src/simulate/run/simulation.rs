@@ -122,6 +122,16 @@ impl Simulation {
     pub fn warping_gradient(&self, body: usize, s: f64, at: [f64; 2]) -> [f64; 2] {
         self.scaled.warping_gradient(&self.scaled.bodies[body], s, at)
     }
+
+    /// True if the velocities of the states are shapes of modes or critical loads.
+    pub fn has_shapes(&self) -> bool {
+        matches!(self.scaled.analysis, Analysis::Modes(_) | Analysis::Buckling(_))
+    }
+
+    /// True if stresses also depend on velocities: a material has a retardation time.
+    pub fn has_damped_strains(&self) -> bool {
+        self.scaled.materials.values().any(|material| material.damping.has_retardation())
+    }
 }
 
 /// Finds joints that record two coordinates under the same name.

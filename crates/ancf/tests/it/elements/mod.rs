@@ -4,6 +4,7 @@ mod batches;
 mod bonds;
 mod cable;
 mod continuum_energy;
+mod damping_stresses;
 mod formulations;
 mod laminate_stresses;
 mod laminates;

@@ -174,3 +174,25 @@ fn prescribed_strains_are_errors_of_the_law() {
         );
     }
 }
+
+/// Uniform tension is exact on every mesh: ½ λ (λ² − 1) = F/EA, and λ − 1 = F/EA for cables. The law of Green's strain is no error of the
+/// mesh. The short elements of the thick beam are rods, the long ones of the thin beam strings.
+#[test]
+fn uniform_stretch_has_no_error_of_the_mesh() {
+    for (body, (elements, width)) in
+        BODIES[1..].iter().flat_map(|body| [(body, (2, "0.02")), (body, (32, "0.2"))])
+    {
+        let area = width.parse::<f64>().unwrap().powi(2);
+        let force = format!("force = [{}, 0, 0]", 0.3 * 1e9 * area);
+        let load =
+            format!("loads = [{{ kind = \"force\", on = {{ body = \"b\", at = \"end\" }}, {force} }}]");
+        let text = beam(body, elements, &format!("{CLAMPED}\n{load}")).replace("0.02", width);
+        let found = errors(&text);
+        let what = format!("{body}, {elements} elements");
+        assert_eq!(found.resolution, Resolution::Good, "{what}: {found:?}");
+        let [value, error] = of(&found, "tip.x");
+        let stretch = if *body == BODIES[4] { 1.3 } else { 1.221_196_686_181_077 };
+        assert_near(&what, value, stretch, 1e-6);
+        assert_near(&what, error, 0.0, 1e-7);
+    }
+}

@@ -7,6 +7,7 @@ use ancf::Model;
 use crate::common::assertions::{assert_near, assert_relative};
 use crate::common::models::parse;
 use crate::common::solutions::{Run, recorded_momenta};
+use crate::errors::shells::Shell::{Quadrilaterals, Thin, Triangles};
 
 const GRAVITY: f64 = 9.81;
 const BEAM: f64 = 1000.0 * 0.25 * PI * 0.1 * 0.1 * 2.0;
@@ -87,5 +88,25 @@ fn momentum_changes_by_the_forces() {
         // ∫ (c × m g)·e_y dt by the trapezoidal rule.
         impulse += 0.5 * h * mass * GRAVITY * (centers[row].x + centers[row - 1].x);
         assert_near("angular momentum", angular[row].y, impulse, 1e-5 * angular[row].norm() + 1e-9);
+    }
+}
+
+/// A free plate spins about its centre of mass by default, for any kind and numbering of its mesh: there is no linear momentum, and the
+/// kinetic energy is ½ m (a² + b²)/12 ω².
+#[test]
+fn plates_spin_about_their_centre() {
+    for kind in [Thin, Quadrilaterals, Triangles] {
+        let model = [
+            "analysis = { kind = \"dynamics\", duration = 1e-4, step = 1e-4 }\noutput.momentum = true\n\
+             materials.m = { density = 1000, young = 1e9, poisson = 0.3 }\n"
+                .into(),
+            kind.body_on([1.0; 2], [4; 2], 0.01, |[x, y]| [3.0 - y, x, 2.0]),
+            "motion = { spin = [0, 0, 5] }\n".into(),
+        ]
+        .concat();
+        let run = Run::of(&parse(&model));
+        let momentum = run.vectors("p")[0].norm();
+        assert!(momentum < 1e-10, "{kind:?}: {momentum}");
+        assert_relative(&format!("{kind:?}"), run.column("kinetic")[0], 0.5 * 10.0 / 6.0 * 25.0, 0.01);
     }
 }

@@ -3,7 +3,8 @@
 use ancf::{Model, Summary};
 
 use super::recorder::{Recorder, read, resumed, run};
-use crate::common::assertions::assert_near;
+use super::sequences::{last, run_all};
+use crate::common::assertions::{assert_near, assert_relative};
 use crate::common::models::parse;
 
 const SCHEME: &str = "scheme = { spectral_radius = 0.8 }";
@@ -143,4 +144,28 @@ fn ambiguous_turns_give_a_warning() {
     let (_, summary) = run(&wheel(30.0, "", "0.2"), false);
     let warning = summary.warnings.join(" ");
     assert!(warning.contains("`hinge`") && warning.contains("ambiguous"), "{summary:?}");
+}
+
+/// Statics that starts in an equilibrium does not move, whatever the angle of a drive: angles of hinges and sensors remain, also over
+/// several analyses, and no number of turns is ambiguous.
+#[test]
+fn statics_from_a_state_keeps_the_turns() {
+    for angle in [0.5, 2.0, 3.2, 6.0, -9.0, 20.0] {
+        let runs = run_all(&format!(
+            r#"
+bodies = [{{ kind = "rigid", name = "r", center = [0, 0, 0], mass = 1, inertia = [0.1, 0.1, 0.1] }}]
+joints = [
+  {{ kind = "revolute", name = "d", a = {{ body = "r", at = "center" }}, axis = [0, 0, 1], drive = {{ angle = {angle} }} }},
+  {{ kind = "sensor", name = "sn", a = {{ body = "r", at = "center" }}, b = "ground", measure = "angle", axis = [0, 0, 1] }},
+]
+analysis = [{{ name = "one", kind = "statics" }}, {{ name = "two", kind = "statics" }}, {{ name = "three", kind = "statics" }}]
+"#
+        ));
+        for (series, summary) in &runs {
+            for name in ["d.angle", "sn.angle"] {
+                assert_relative(name, last(series, name), angle, 1e-9);
+            }
+            assert!(summary.warnings.is_empty(), "{angle}: {:?}", summary.warnings);
+        }
+    }
 }

@@ -5,5 +5,6 @@ mod columns;
 mod fine_meshes;
 mod followers;
 mod force_laws;
+mod held_pressure;
 mod loaded_equilibria;
 mod modes;

@@ -15,7 +15,7 @@ pub struct InitialMotion {
     /// Angular velocity ω in the global frame, radians/time.
     #[unit(radian / time)]
     pub spin: [f64; 3],
-    /// Point c, length; the start of the axis, or the centre of a rigid body, by default.
+    /// Point c, length; the start of the axis, or the centre of mass of a rigid body or shell, by default.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[unit(length)]
     pub about: Option<[f64; 3]>,
@@ -30,15 +30,15 @@ impl InitialMotion {
         self.velocity == [0.0; 3] && self.spin == [0.0; 3] && self.about.is_none() && self.axial == 0.0
     }
 
-    /// Velocity of a nodal vector of a body whose axis begins at `start`.
+    /// Velocity of a nodal vector of a body. `default` is the point c by default.
     ///
     /// A position has v₀ + ω × (r − c), a direction ω × d.
-    pub(crate) fn of(&self, vector: &NodalVector, start: Vector3<f64>) -> Vector3<f64> {
+    pub(crate) fn of(&self, vector: &NodalVector, default: Vector3<f64>) -> Vector3<f64> {
         let spin = Vector3::from(self.spin);
         if !vector.is_position() {
             return spin.cross(&vector.value);
         }
-        let about = self.about.map_or(start, Vector3::from);
+        let about = self.about.map_or(default, Vector3::from);
         Vector3::from(self.velocity) + spin.cross(&(vector.value - about))
     }
 }

@@ -6,17 +6,14 @@ use crate::units::Scaled;
 
 /// Law of the membrane forces of a shell of one isotropic material. The bending stiffness remains linear.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, default)]
 pub struct Membrane {
     /// Law without wrinkles.
-    #[serde(default)]
     #[unit(none)]
     pub law: MembraneKind,
     /// True for a tension field: wrinkles in place of compressive forces.
-    #[serde(default)]
     pub tension_field: bool,
     /// Part of the energy against compression that remains in a tension field.
-    #[serde(default = "slack")]
     #[unit(number)]
     #[schemars(extend("minimum" = 1e-6, "maximum" = 1))]
     pub slack: f64,
@@ -33,8 +30,10 @@ pub enum MembraneKind {
     NeoHookean,
 }
 
-const fn slack() -> f64 {
-    1e-4
+impl Default for Membrane {
+    fn default() -> Self {
+        Self { law: MembraneKind::Linear, tension_field: false, slack: 1e-4 }
+    }
 }
 
 impl Membrane {

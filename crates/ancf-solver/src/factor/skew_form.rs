@@ -1,0 +1,50 @@
+use super::factorisation::SingularMatrix;
+
+/// Number of motions on which the form is examined.
+const EXAMINED: usize = 4;
+/// Form yᵀ A w, relative to the sum of the absolute values of its terms, that is zero but for rounding errors.
+const ROUNDING: f64 = 1e-11;
+/// Form of coordinates that the constraints hold, relative to that of the largest coordinates.
+const HELD: f64 = 1e-20;
+
+/// Returns true if the constraints leave nothing of a skew part A of the stiffness: the form yᵀ A w is a rounding error for random
+/// motions y and w that satisfy them. The loads then have a potential.
+///
+/// A pressure on a surface whose edges are held, or are in planes of symmetry, is an example. `entries` are the lower entries of A,
+/// `solve` replaces forces on the coordinates, with zeros for the multipliers, by the motion and the multipliers that they cause,
+/// and `size` is the number of both.
+///
+/// # Errors
+/// If `solve` fails.
+pub fn is_zero_on_motions(
+    entries: &[(usize, usize, f64)],
+    [coordinates, size]: [usize; 2],
+    mut solve: impl FnMut(&mut [f64]) -> Result<(), SingularMatrix>,
+) -> Result<bool, SingularMatrix> {
+    if entries.is_empty() {
+        return Ok(true);
+    }
+    let mut motion = |number: usize| {
+        let mut x = vec![0.0; size];
+        x[..coordinates].iter_mut().enumerate().for_each(|(i, x)| *x = pseudo_random(EXAMINED * i + number));
+        solve(&mut x).map(|()| x)
+    };
+    let motions = (0..EXAMINED).map(&mut motion).collect::<Result<Vec<_>, _>>()?;
+    let largest = |x: &[f64]| x[..coordinates].iter().fold(0.0_f64, |largest, x| largest.max(x.abs()));
+    let of_held = HELD * entries.iter().map(|(.., value)| value.abs()).sum::<f64>();
+    let form = |y: &[f64], w: &[f64]| {
+        let products = |&(i, j, value): &(usize, usize, f64)| [y[i] * value * w[j], -y[j] * value * w[i]];
+        let terms = entries.iter().flat_map(products);
+        terms.fold([0.0, 0.0], |[sum, size]: [f64; 2], term| [sum + term, size + term.abs()])
+    };
+    let mut pairs = motions.iter().enumerate().flat_map(|(k, y)| motions[..k].iter().map(move |w| (y, w)));
+    Ok(pairs.all(|(y, w)| {
+        let [sum, size] = form(y, w);
+        sum.abs() <= ROUNDING * size + of_held * largest(y) * largest(w)
+    }))
+}
+
+/// Returns a number of a sequence in [−½, ½) without period.
+fn pseudo_random(number: usize) -> f64 {
+    ((number + 1) as f64 * 0.754_877_666_246_692_8).fract() - 0.5
+}

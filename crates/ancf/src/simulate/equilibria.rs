@@ -85,8 +85,7 @@ impl AnalysisRun<'_> {
         self.summary.initial = given.map(StartState::released);
         let prepared = load_stepper(&system, settings, state, self.interrupt).and_then(|mut statics| {
             statics.include_near_terms()?;
-            let turns = TurnCounter::new(&system, statics.state(), &rows)?;
-            Ok((statics, turns))
+            TurnCounter::new(&system, statics.state(), &rows).map(|turns| (statics, turns))
         });
         let (mut statics, mut turns) = match prepared {
             Ok(prepared) => prepared,

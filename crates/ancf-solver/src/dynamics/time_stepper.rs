@@ -11,6 +11,9 @@ use crate::newton::{ActiveSet, Newton, NewtonReport, SolveError, SolveFailure};
 use crate::sparse::SparseMatrix;
 use crate::vectors::for_each_chunk;
 
+/// Ratio of the rounding errors of positions to those of the equations: joints with short levers amplify them.
+const LEVERAGE: f64 = 1e3;
+
 /// Time integration of the equations of motion.
 #[derive(Debug)]
 pub struct TimeStepper<'a, E: EquationsOfMotion + ?Sized> {
@@ -117,7 +120,7 @@ impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
     fn rounding_energy(&self) -> f64 {
         let mut floor = vec![0.0; self.eom.coordinates() + self.eom.multipliers()];
         self.eom.rounding(&self.motion.state, &mut floor);
-        self.newton.rounding_energy() + floor[..self.eom.coordinates()].iter().sum::<f64>()
+        self.newton.rounding_energy() + LEVERAGE * floor[..self.eom.coordinates()].iter().sum::<f64>()
     }
 
     /// Returns the work of loads over the rounding error of a length.

@@ -148,7 +148,9 @@ def damped(analysis: Any, **more: Any) -> ancf.Model:
         bodies=[bar],
         joints=[
             ancf.Clamp("root", a=bar.start),
-            ancf.PrescribedMotion("pull", a=bar.end, displacement=[0.1, 0, 0], time=ancf.Expression("t^2/(t+0.01)")),
+            ancf.PrescribedMotion(
+                "pull", a=bar.end, displacement=[0.1, 0, 0], time=ancf.Expression("t^2/(t+0.01)")
+            ),
         ],
         probes=[ancf.Probe("middle", on=bar.at(0.5), record=["strain", "stress", "section_forces"])],
         analysis=analysis,

@@ -48,7 +48,7 @@ print("equal")
 
 
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="processes of this system are not forked")
-def test_forked_processes_compute():
+def test_forked_processes_compute() -> None:
     """Models of any size run in forked processes, with equal results."""
     done = subprocess.run(
         [sys.executable, "-c", SCRIPT], capture_output=True, text=True, timeout=120, check=False

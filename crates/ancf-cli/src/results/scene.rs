@@ -28,11 +28,10 @@ pub fn scene_of(results: &Results, live: bool, budget: usize) -> Result<Vec<u8>>
     }
     let series = results.columns()?;
     let output = results.model().output;
-    if output.parquet && series.columns().all(|(_, values)| values.is_empty()) {
-        messages.push("There are no rows on the disk.".to_owned());
-    }
     if !output.parquet {
         messages.push("The run recorded no rows (`output.parquet = false`): there are no charts.".to_owned());
+    } else if series.columns().all(|(_, values)| values.is_empty()) {
+        messages.push("There are no rows on the disk.".to_owned());
     }
     if output.states > 0 && frames.is_empty() {
         messages.push("There are no states on the disk.".to_owned());

@@ -92,27 +92,28 @@ impl BeamMesh {
         };
         let is_line = self.elasticity == StressLaw::Line;
         let stretch = is_line.then(|| (g0[0] + u[0]).norm() / g0[0].norm() - 1.0);
-        SectionStrain { g0, products: self.interpolated(xi, &products), stretch }
+        SectionStrain { g0, products: self.interpolated(xi, all_strains(&g0, &u), &products), stretch }
     }
 
     /// Returns the rate of the strain in the section at an arc length.
     fn strain_rate(&self, state: &State, s: f64) -> SectionStrain {
         let (element, xi) = self.locate(s);
-        let both = |xi: f64| {
+        let present = |xi: f64| {
             let [g0, u] = self.directors(element, xi, &state.q);
-            [g0, u, self.directors(element, xi, &state.v)[1]]
+            [g0, std::array::from_fn(|k| g0[k] + u[k]), self.directors(element, xi, &state.v)[1]]
         };
         let rates = |xi: f64| {
-            let [g0, u, rate] = both(xi);
-            all_rates(&std::array::from_fn(|k| g0[k] + u[k]), &rate)
+            let [_, directors, rates] = present(xi);
+            all_rates(&directors, &rates)
         };
-        let [g0, u, rate] = both(xi);
+        let [g0, directors, rate] = present(xi);
         let is_line = self.elasticity == StressLaw::Line;
         let stretch = is_line.then(|| {
-            let tangent = g0[0] + u[0];
+            let tangent = directors[0];
             tangent.dot(&rate[0]) / (tangent.norm() * g0[0].norm())
         });
-        SectionStrain { g0, products: self.interpolated(xi, &rates), stretch }
+        let products = self.interpolated(xi, all_rates(&directors, &rate), &rates);
+        SectionStrain { g0, products, stretch }
     }
 
     /// Returns the prescribed strain in the section at an arc length, and its rate.
@@ -127,9 +128,8 @@ impl BeamMesh {
         })
     }
 
-    /// Returns the strains at ξ that have energy, from those that follow from the directors.
-    fn interpolated(&self, xi: f64, products: &dyn Fn(f64) -> Strains) -> Strains {
-        let mut strains = products(xi);
+    /// Returns the strains at ξ that have energy, from those that follow from the directors there and at other places.
+    fn interpolated(&self, xi: f64, mut strains: Strains, products: &dyn Fn(f64) -> Strains) -> Strains {
         if self.has_middle_nodes() {
             interpolate_from_gauss_points(xi, products, &mut strains);
         }

@@ -185,11 +185,12 @@ impl States {
             // Forces and stresses are those of the state about which a shape vibrates.
             let is_still = self.simulation.has_shapes() && !quantity.is_rate();
             self.each(&frames, |s| {
-                let mut state = s.clone();
-                if is_still {
-                    state.stop();
-                }
-                quantity.fill(&self.simulation, &fields, &state, &mut numbers);
+                let still = is_still.then(|| {
+                    let mut still = s.clone();
+                    still.stop();
+                    still
+                });
+                quantity.fill(&self.simulation, &fields, still.as_ref().unwrap_or(s), &mut numbers);
                 !signals.are_set()
             });
             Ok::<_, PyErr>((numbers, stations))

@@ -2,7 +2,7 @@ use std::sync::Arc;
 
 use ancf::assembly::Assembly;
 use ancf::estimate::BodyError;
-use ancf::model::{Analysis, Body};
+use ancf::model::Body;
 use ancf::solver::equations::State;
 use ancf::units::{Dimension, Scales};
 use ancf::{Field, Model};
@@ -80,7 +80,7 @@ impl<'a> ScalarFields<'a> {
             diverging,
             values: Vec::new(),
         };
-        let is_modal = matches!(model.analysis, Analysis::Modes(_) | Analysis::Buckling(_));
+        let is_modal = model.analysis.has_shapes();
         let (displacement, length) = match is_modal {
             true => ("relative displacement", Dimension::NUMBER),
             false => ("displacement", Dimension::LENGTH),

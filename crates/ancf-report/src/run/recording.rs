@@ -98,7 +98,7 @@ impl Recording<'_> {
 
     /// True if the states are mode shapes or buckling shapes.
     pub const fn is_modal(&self) -> bool {
-        matches!(self.model.analysis, Analysis::Modes(_) | Analysis::Buckling(_))
+        self.model.analysis.has_shapes()
     }
 
     /// True if the states are mode shapes with an imaginary part.

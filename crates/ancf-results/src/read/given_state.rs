@@ -46,7 +46,7 @@ pub fn given_state(model: &Model, base: &Path) -> Result<Option<GivenState>, Mod
     if counted.is_empty() {
         return Ok(Some(given));
     }
-    if counted.iter().all(|name| stored.angles.iter().any(|(own, _)| own == name)) {
+    if stored.angles.len() == counted.len() {
         return Ok(Some(given.with_angles(stored.angles)));
     }
     // Runs of earlier versions have the turns in their rows, if each step has one.

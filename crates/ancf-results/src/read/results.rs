@@ -157,12 +157,12 @@ impl Results {
 
     /// Reads the stored states, as far as they are on the disk, with one part in memory at a time.
     pub fn frames(&self) -> impl Iterator<Item = Result<StoredState, OpenError>> + '_ {
-        let mut layout = state_layout(&self.simulation);
+        let mut names: Vec<String> = angles(&self.simulation).into_iter().map(|(name, _)| name).collect();
         if matches!(has_column(&self.folder.states(), ANGLES), Ok(Some(false))) {
-            layout.lists.retain(|(name, _)| name != ANGLES);
+            names.clear();
         }
+        let layout = state_layout(&self.simulation, names.len());
         let width = layout.width();
-        let names: Vec<String> = angles(&self.simulation).into_iter().map(|(name, _)| name).collect();
         parts_of(self.folder.states(), layout).flat_map(move |part| match part {
             Ok(rows) => rows.chunks_exact(width).map(|row| Ok(self.state_of(row, &names))).collect(),
             Err(error) => vec![Err(error.into())],

@@ -67,26 +67,23 @@ const FLUSH_INTERVAL: Duration = Duration::from_secs(1);
 impl Recorder {
     /// Recorder of a run into a folder. `name` is the name of the model in `summary.json`, `text` is its model file.
     pub fn new(folder: Folder, name: &str, text: &str, model: &Model, simulation: &Simulation) -> Self {
+        let angles: Vec<usize> = angles(simulation).into_iter().map(|(_, place)| place).collect();
+        let states = state_layout(simulation, angles.len());
+        let selection = StateSelection::new(states.width(), model);
         let columns = simulation.columns();
         let provenance = Provenance::new(text, &model.unit_names(), &columns);
         let columns = Layout::new(columns.into_iter().map(|column| column.name).collect(), Vec::new());
         let now = Instant::now();
         Self {
-            spec: FileSpec {
-                folder,
-                output: model.output,
-                provenance,
-                columns,
-                states: state_layout(simulation),
-            },
+            spec: FileSpec { folder, output: model.output, provenance, columns, states },
             name: name.to_owned(),
             text: text.to_owned(),
             selection: Selection {
                 rows: RowSelection::new(model.row_interval()),
-                states: StateSelection::new(simulation, model),
+                states: selection,
                 last: None,
             },
-            angles: angles(simulation).into_iter().map(|(_, place)| place).collect(),
+            angles,
             interval: None,
             display: Vec::new(),
             flushed: now,

@@ -1,8 +1,5 @@
-use ancf::Simulation;
 use ancf::model::Model;
 use serde::{Deserialize, Serialize};
-
-use crate::table::state_layout;
 
 /// Selects the states that are written.
 ///
@@ -26,9 +23,9 @@ pub(super) struct StateSelection {
 const MAX_VALUES: usize = 1 << 27;
 
 impl StateSelection {
-    /// Selection of about `count` states; fewer if the states are large.
-    pub(super) fn new(simulation: &Simulation, model: &Model) -> Self {
-        let most = (MAX_VALUES / state_layout(simulation).width()).max(2);
+    /// Selection of the number of states that a model requests; fewer if the states, of `width` values, are large.
+    pub(super) fn new(width: usize, model: &Model) -> Self {
+        let most = (MAX_VALUES / width).max(2);
         let (count, analysis) = (model.output.states, &model.analysis);
         let count = usize::try_from(count).unwrap_or(usize::MAX).min(most);
         let interval = analysis.dynamics().map(|dynamics| dynamics.duration / (count.max(2) - 1) as f64);

@@ -6,6 +6,7 @@ use super::full_rows::FullRows;
 use crate::factor::{Factor, SingularMatrix};
 use crate::newton::Interrupt;
 use crate::sparse::SparseMatrix;
+use crate::vectors::PseudoRandom;
 
 /// Cause of failure of an eigenvalue analysis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
@@ -191,18 +192,5 @@ impl Operator<'_> {
             start.push(self.solve(force)?.as_slice());
         }
         Ok(start)
-    }
-}
-
-/// Pseudo-random numbers in [−1, 1), the same in every run (SplitMix64; Steele, Lea & Flood 2014).
-#[derive(Debug)]
-pub(super) struct PseudoRandom(pub(super) u64);
-
-impl PseudoRandom {
-    pub(super) fn number(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mixed = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((mixed ^ (mixed >> 31)) >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
     }
 }

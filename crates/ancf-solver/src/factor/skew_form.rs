@@ -1,4 +1,6 @@
-use super::factorisation::SingularMatrix;
+use super::factorisation::{Factor, SingularMatrix};
+use crate::sparse::SparseMatrix;
+use crate::vectors::PseudoRandom;
 
 /// Number of motions on which the form is examined.
 const EXAMINED: usize = 4;
@@ -11,25 +13,26 @@ const HELD: f64 = 1e-20;
 /// motions y and w that satisfy them. The loads then have a potential.
 ///
 /// A pressure on a surface whose edges are held, or are in planes of symmetry, is an example. `entries` are the lower entries of A,
-/// `solve` replaces forces on the coordinates, with zeros for the multipliers, by the motion and the multipliers that they cause,
-/// and `size` is the number of both.
+/// `factor` has the factors of a stiffness matrix over the coordinates and the multipliers after them.
 ///
 /// # Errors
-/// If `solve` fails.
+/// If the factors do not solve.
 pub fn is_zero_on_motions(
     entries: &[(usize, usize, f64)],
-    [coordinates, size]: [usize; 2],
-    mut solve: impl FnMut(&mut [f64]) -> Result<(), SingularMatrix>,
+    coordinates: usize,
+    matrix: &SparseMatrix,
+    factor: &mut Factor,
 ) -> Result<bool, SingularMatrix> {
     if entries.is_empty() {
         return Ok(true);
     }
-    let mut motion = |number: usize| {
-        let mut x = vec![0.0; size];
-        x[..coordinates].iter_mut().enumerate().for_each(|(i, x)| *x = pseudo_random(EXAMINED * i + number));
-        solve(&mut x).map(|()| x)
+    let mut random = PseudoRandom(31);
+    let motion = |_| {
+        let mut x = vec![0.0; matrix.pattern().size()];
+        x[..coordinates].fill_with(|| random.number());
+        factor.solve(matrix, &mut x).map(|()| x)
     };
-    let motions = (0..EXAMINED).map(&mut motion).collect::<Result<Vec<_>, _>>()?;
+    let motions = (0..EXAMINED).map(motion).collect::<Result<Vec<_>, _>>()?;
     let largest = |x: &[f64]| x[..coordinates].iter().fold(0.0_f64, |largest, x| largest.max(x.abs()));
     let of_held = HELD * entries.iter().map(|(.., value)| value.abs()).sum::<f64>();
     let form = |y: &[f64], w: &[f64]| {
@@ -42,9 +45,4 @@ pub fn is_zero_on_motions(
         let [sum, size] = form(y, w);
         sum.abs() <= ROUNDING * size + of_held * largest(y) * largest(w)
     }))
-}
-
-/// Returns a number of a sequence in [−½, ½) without period.
-fn pseudo_random(number: usize) -> f64 {
-    ((number + 1) as f64 * 0.754_877_666_246_692_8).fract() - 0.5
 }

@@ -256,8 +256,7 @@ impl NewtonTangent {
     /// Returns true if the constraints leave nothing of the skew part of the stiffness. The factors are those of a stiffness.
     pub(crate) fn is_symmetric_on_motions(&mut self, eom: &dyn EquationsOfMotion, s: &State) -> bool {
         let Self { matrix, factor, .. } = self;
-        let sizes = [eom.coordinates(), matrix.pattern().size()];
-        is_zero_on_motions(&eom.skew_stiffness(s), sizes, |x| factor.solve(matrix, x)).unwrap_or(false)
+        is_zero_on_motions(&eom.skew_stiffness(s), eom.coordinates(), matrix, factor).unwrap_or(false)
     }
 
     /// Records the rate θ of the last two increments of a solution.

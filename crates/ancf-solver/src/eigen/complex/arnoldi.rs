@@ -1,7 +1,8 @@
 use faer::Mat;
 use nalgebra::{Complex, DMatrix, DVector};
 
-use crate::eigen::operator::{EigenError, PseudoRandom};
+use crate::eigen::operator::EigenError;
+use crate::vectors::PseudoRandom;
 
 /// Operator T on real vectors, with an inner product.
 pub(super) trait ArnoldiOperator {

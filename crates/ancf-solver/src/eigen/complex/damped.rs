@@ -6,10 +6,11 @@ use super::arnoldi::{ArnoldiSpace, ComplexPair, PairTolerance};
 use super::mass_ratios::largest_ratios;
 use super::quadratic_operator::QuadraticOperator;
 use crate::eigen::modes::modes;
-use crate::eigen::operator::{EigenError, PseudoRandom};
+use crate::eigen::operator::EigenError;
 use crate::equations::{EquationsOfMotion, State, Weights};
 use crate::newton::Interrupt;
 use crate::sparse::SparseMatrix;
+use crate::vectors::PseudoRandom;
 
 /// Mode x e^{λt} of a system with damping or gyroscopic forces.
 #[derive(Clone, Debug, PartialEq)]

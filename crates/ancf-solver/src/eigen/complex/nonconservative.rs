@@ -4,10 +4,11 @@ use super::arnoldi::{ArnoldiOperator, ArnoldiSpace, ComplexPair, PairTolerance};
 use super::mass_ratios::largest_ratios;
 use super::skew_operator::SkewOperator;
 use crate::eigen::modes::modes;
-use crate::eigen::operator::{EigenError, PseudoRandom};
+use crate::eigen::operator::EigenError;
 use crate::equations::{EquationsOfMotion, State, Weights};
 use crate::newton::Interrupt;
 use crate::sparse::SparseMatrix;
+use crate::vectors::PseudoRandom;
 
 /// Mode of vibration under loads without a potential.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,11 +1,12 @@
 use nalgebra::{DMatrix, DVector, Dyn, LU};
 
 use super::arnoldi::ArnoldiOperator;
-use crate::eigen::operator::{EigenError, PseudoRandom};
+use crate::eigen::operator::EigenError;
 use crate::equations::{EquationsOfMotion, State, Weights};
 use crate::factor::Factor;
 use crate::newton::Interrupt;
 use crate::sparse::SparseMatrix;
+use crate::vectors::PseudoRandom;
 
 /// Largest number of numbers in the correction W of [`SkewOperator`].
 const LARGEST: usize = 50_000_000;

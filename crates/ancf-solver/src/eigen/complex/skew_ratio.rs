@@ -1,9 +1,10 @@
 use nalgebra::{DMatrix, DVector};
 
-use crate::eigen::operator::{EigenError, PseudoRandom};
+use crate::eigen::operator::EigenError;
 use crate::equations::{EquationsOfMotion, State, Weights};
 use crate::factor::{Factor, is_zero_on_motions};
 use crate::sparse::SparseMatrix;
+use crate::vectors::PseudoRandom;
 
 /// Largest dimension of the Krylov space.
 const LARGEST: usize = 200;
@@ -31,8 +32,7 @@ pub fn skew_ratio(eom: &dyn EquationsOfMotion, matrix: SparseMatrix, s: &State) 
     let mut factor = Factor::new(left.pattern())?;
     factor.factorise(&left)?;
     let (entries, n) = (eom.skew_stiffness(s), eom.coordinates());
-    let sizes = [n, left.pattern().size()];
-    if is_zero_on_motions(&entries, sizes, |x| factor.solve(&left, x))? {
+    if is_zero_on_motions(&entries, n, &left, &mut factor)? {
         return Ok(0.0);
     }
     let mut random = PseudoRandom(31);

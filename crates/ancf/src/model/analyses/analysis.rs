@@ -28,6 +28,11 @@ impl Analysis {
         if let Self::Dynamics(dynamics) = self { Some(dynamics) } else { None }
     }
 
+    /// True if the velocities of the states are shapes of modes or critical loads.
+    pub const fn has_shapes(&self) -> bool {
+        matches!(self, Self::Modes(_) | Self::Buckling(_))
+    }
+
     /// Mutable settings of a dynamic analysis.
     pub const fn dynamics_mut(&mut self) -> Option<&mut Dynamics> {
         if let Self::Dynamics(dynamics) = self { Some(dynamics) } else { None }

@@ -125,7 +125,7 @@ impl Simulation {
 
     /// True if the velocities of the states are shapes of modes or critical loads.
     pub fn has_shapes(&self) -> bool {
-        matches!(self.scaled.analysis, Analysis::Modes(_) | Analysis::Buckling(_))
+        self.scaled.analysis.has_shapes()
     }
 
     /// True if stresses also depend on velocities: a material has a retardation time.

@@ -6,7 +6,7 @@ use std::ops::Deref;
 
 use nalgebra::Vector3;
 
-use crate::joints::{Coupled, JointContext, JointCoordinate};
+use crate::joints::{Coupled, End, Joint, JointContext, JointCoordinate};
 use crate::loads::LoadContext;
 use crate::model::Model;
 use crate::model::bodies::{Body, Place};
@@ -28,7 +28,9 @@ pub(crate) struct IndexedModel<'m> {
 impl Model {
     /// Reference length: length of the longest flexible body.
     ///
-    /// Without flexible bodies, the largest distance of rigid bodies and joints or radius of gyration.
+    /// Without flexible bodies, twice the largest distance of rigid bodies and joints from their mean, or the largest radius of
+    /// gyration. For a single point mass without a joint elsewhere, the distance that it moves freely during the analysis; 1 if it
+    /// is at rest.
     pub fn length(&self) -> f64 {
         IndexedModel::new(self).length()
     }
@@ -86,16 +88,43 @@ impl<'m> IndexedModel<'m> {
         if longest > 0.0 {
             return longest;
         }
-        let centres = self.bodies().map(|body| Vector3::from(body.span()[0]));
-        let joints = self.model.joints.iter().filter_map(|joint| self.point(joint.ends().0));
-        let points: Vec<Vector3<f64>> = centres.chain(joints).collect();
         let gyration = self.bodies().filter_map(|body| match body {
             Body::Rigid(rigid) => Some((rigid.tensor().trace() / rigid.mass).sqrt()),
             _ => None,
         });
-        let extent =
-            points.iter().map(|point| (point - points[0]).norm()).chain(gyration).fold(0.0, f64::max);
-        if extent > 0.0 { extent } else { 1.0 }
+        let extent = gyration.fold(self.extent(), f64::max);
+        if extent > 0.0 {
+            return extent;
+        }
+        let distance = self.free_distance();
+        if distance > 0.0 { distance } else { 1.0 }
+    }
+
+    /// Twice the largest distance of a centre of a body or an end of a joint from their mean.
+    fn extent(&self) -> f64 {
+        let centres = self.bodies().map(|body| Vector3::from(body.span()[0]));
+        let ends = self.model.joints.iter().map(Joint::ends).flat_map(|(a, b)| {
+            let other = match b {
+                End::Ground => None,
+                End::Place(place) => self.point(place),
+                End::Point(ground) => Some(Vector3::from(ground.point)),
+            };
+            [self.point(a), other]
+        });
+        let mut points: Vec<Vector3<f64>> = centres.chain(ends.flatten()).collect();
+        // Relative to one of them, equal points have no distance by rounding.
+        let origin = points.first().copied().unwrap_or_default();
+        points.iter_mut().for_each(|point| *point -= origin);
+        let mean = points.iter().sum::<Vector3<f64>>() / points.len().max(1) as f64;
+        2.0 * points.iter().map(|point| (point - mean).norm()).fold(0.0, f64::max)
+    }
+
+    /// Largest distance that a body without loads other than gravity moves during the analysis: |v₀| T or |g| T².
+    fn free_distance(&self) -> f64 {
+        let duration = self.model.analysis.dynamics().map_or(0.0, |dynamics| dynamics.duration);
+        let speeds = self.bodies().map(|body| Vector3::from(body.motion().velocity).norm());
+        let fall = Vector3::from(self.model.gravity).norm() * duration;
+        speeds.fold(fall, f64::max) * duration
     }
 
     fn bodies(&self) -> impl Iterator<Item = &'m Body> {

@@ -189,7 +189,7 @@ class AdaptiveStep(Part):
     ----------
     tolerance
         Error tolerance of the motion over the duration: root mean square displacement relative to the length
-        of the longest body (> 0, <= 0.1).
+        of the longest flexible body, or to the extent of a model without flexible bodies (> 0, <= 0.1).
     initial
         First step, time; estimated by default (> 0).
     largest

@@ -140,7 +140,8 @@ class Contact(Part):
         Radius of the beams and cables, length; that of circles and tubes by default (> 0).
     slip_speed
         Sliding speed below which friction is viscous, length/time; by default 1/1000 of the length of the
-        longest body divided by the duration (> 0).
+        longest flexible body, or of the extent of a model without flexible bodies, divided by the duration (>
+        0).
     stiffness
         Force per length of a body and per depth, force/length²; required with bodies other than shells (> 0).
     surface_stiffness

@@ -130,7 +130,7 @@ pub enum Step {
     #[schemars(extend("additionalProperties" = false))]
     Adaptive {
         /// Error tolerance of the motion over the duration: root mean square displacement relative to the length of the
-        /// longest body.
+        /// longest flexible body, or to the extent of a model without flexible bodies.
         #[unit(number)]
         #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 0.1))]
         tolerance: f64,

@@ -48,8 +48,8 @@ pub struct Contact {
     #[unit(number)]
     #[schemars(extend("minimum" = 0))]
     pub friction: f64,
-    /// Sliding speed below which friction is viscous, length/time; by default 1/1000 of the length of the longest body
-    /// divided by the duration.
+    /// Sliding speed below which friction is viscous, length/time; by default 1/1000 of the length of the longest flexible body, or
+    /// of the extent of a model without flexible bodies, divided by the duration.
     #[unit(length / time)]
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(extend("exclusiveMinimum" = 0))]

@@ -3,5 +3,6 @@
 mod chains;
 mod order;
 mod random_models;
+mod reference_length;
 mod threads;
 mod units_and_frames;

@@ -7,6 +7,7 @@ mod model_shapes;
 mod outlines;
 mod page;
 mod paraview;
+mod paraview_rates;
 mod paraview_selection;
 mod scene;
 mod server;

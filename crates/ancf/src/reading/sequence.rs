@@ -265,6 +265,10 @@ impl Source {
                 continue;
             }
             match substitute(&mut data, &path, value) {
+                Ok(set) if self.has_moved(number) && set.iter().any(|path| is_initial_motion(path)) => {
+                    let expected = "a key other than `motion`: the motion of an analysis before continues";
+                    findings.push(finding(place, quoted(&path), expected));
+                }
                 Ok(set) => places.extend(set.into_iter().map(|path| (path, place.clone()))),
                 Err(error) => findings.push(ModelError { path: place, ..error }.into()),
             }
@@ -312,30 +316,37 @@ impl Source {
         }
     }
 
+    /// True if an analysis is of one of some kinds.
+    fn is_of(&self, number: usize, kinds: &[&str]) -> bool {
+        let kind = self.analyses[number].get("kind").and_then(Value::as_str);
+        kind.is_some_and(|kind| kinds.contains(&kind))
+    }
+
+    /// True if an analysis before is a motion.
+    fn has_moved(&self, number: usize) -> bool {
+        (0..number).any(|i| self.is_of(i, &["dynamics"]))
+    }
+
     /// Starts in the last state of the last analysis before that has states; modes and critical loads have shapes.
     fn start_from_last(&self, data: &mut Table, number: usize, time: f64) {
-        let is_of = |i: usize, kinds: &[&str]| {
-            let kind = self.analyses[i].get("kind").and_then(Value::as_str);
-            kind.is_some_and(|kind| kinds.contains(&kind))
-        };
         let about = self.analyses[number].get("about").and_then(Value::as_str);
-        if is_of(number, &["modes"]) && about != Some("equilibrium") {
+        if self.is_of(number, &["modes"]) && about != Some("equilibrium") {
             // About the undeformed state: `initial` is that of the first analysis.
             if number > 0 {
                 data.remove("initial");
             }
             return;
         }
-        let Some(last) = (0..number).rev().find(|i| !is_of(*i, &["modes", "buckling"])) else { return };
+        let Some(last) = (0..number).rev().find(|i| !self.is_of(*i, &["modes", "buckling"])) else { return };
         data.remove("assemble");
         let mut initial = Table::new();
         initial.insert("from".into(), format!("../{}", self.folder(last)).into());
-        if is_of(number, &["dynamics"]) {
+        if self.is_of(number, &["dynamics"]) {
             initial.insert("start_time".into(), time.into());
         }
         data.insert("initial".into(), Value::Table(initial));
         // The first motion starts with the initial motions of the bodies.
-        if (0..number).any(|i| is_of(i, &["dynamics"])) {
+        if self.has_moved(number) {
             let bodies = data.get_mut("bodies").and_then(Value::as_array_mut).into_iter().flatten();
             bodies.filter_map(Value::as_table_mut).for_each(|body| _ = body.remove("motion"));
         }
@@ -363,6 +374,12 @@ fn take_set(analysis: &mut Value, number: usize) -> (Table, Vec<Finding>) {
             (Table::new(), vec![finding(format!("analysis[{number}].set"), found(&other), expected)])
         }
     }
+}
+
+/// True for the path of the initial motion of a body, or of a key inside.
+fn is_initial_motion(path: &str) -> bool {
+    let key = path.strip_prefix("bodies[").and_then(|rest| rest.split_once("].")).map(|(_, key)| key);
+    key.is_some_and(|key| key.split('.').next() == Some("motion"))
 }
 
 /// Path in the file of a path in the data of a stage.

@@ -179,16 +179,7 @@ impl BeamContacts {
     ///
     /// The states between both are sampled so that no point moves by more than a quarter of the smallest radius.
     fn between<T>(&self, from: &State, to: &State, find: impl Fn(f64, &State) -> Option<T>) -> Option<T> {
-        let smallest = self.tubes.iter().map(|tube| tube.radius).fold(f64::INFINITY, f64::min);
-        let count = |distance: f64| (distance / (SPACING * smallest)).ceil();
-        // Terms reject a small distance at the end ([`Term::inadmissibility`]).
-        if count(self.largest_displacement(from, to)) <= 1.0 {
-            return None;
-        }
-        let all = self.tubes.iter().flat_map(|tube| &tube.points);
-        let farthest =
-            all.map(|point| (point.place.value(to) - point.place.value(from)).norm()).fold(0.0, f64::max);
-        let count = count(farthest).min(MAX_SAMPLES);
+        let count = self.samples(from, to).0.min(MAX_SAMPLES);
         if count <= 1.0 {
             return None;
         }
@@ -199,6 +190,20 @@ impl BeamContacts {
             between.q.iter_mut().zip(ends).for_each(|(q, (from, to))| *q = from + part * (to - from));
             find(part, &between)
         })
+    }
+
+    /// Returns the number of states to sample between two states, and a coordinate of the point that moves farthest.
+    fn samples(&self, from: &State, to: &State) -> (f64, Option<usize>) {
+        let smallest = self.tubes.iter().map(|tube| tube.radius).fold(f64::INFINITY, f64::min);
+        let count = |distance: f64| (distance / (SPACING * smallest)).ceil();
+        // Terms reject a small distance at the end ([`Term::inadmissibility`]).
+        if count(self.largest_displacement(from, to)) <= 1.0 {
+            return (1.0, None);
+        }
+        let all = self.tubes.iter().flat_map(|tube| &tube.points);
+        let moved = all.map(|point| ((point.place.value(to) - point.place.value(from)).norm(), &point.place));
+        let farthest = moved.max_by(|a, b| a.0.total_cmp(&b.0));
+        farthest.map_or((1.0, None), |(distance, place)| (count(distance), place.coordinates().next()))
     }
 
     /// Returns an upper bound of the displacements of all points of all axes.
@@ -267,6 +272,10 @@ impl ContactSearch for BeamContacts {
     }
 
     fn crossing(&self, from: &State, to: &State) -> Option<usize> {
+        let (count, farthest) = self.samples(from, to);
+        if count > MAX_SAMPLES {
+            return farthest;
+        }
         self.between(from, to, |_, between| {
             let pair = self.deep(between)?;
             let is_new = !self.contact(pair).overlaps(from, 1.0 - SMALLEST_DISTANCE);

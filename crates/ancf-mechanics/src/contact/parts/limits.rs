@@ -5,7 +5,7 @@
 pub(in crate::contact) const SMALLEST_DISTANCE: f64 = 0.5;
 /// Largest spacing of positions that are checked.
 pub(in crate::contact) const SPACING: f64 = 0.25;
-/// Largest number of states that are checked between two states.
-pub(in crate::contact) const MAX_SAMPLES: f64 = 1000.0;
+/// Largest number of states that are checked between two states. A step with more of them counts as a crossing.
+pub(in crate::contact) const MAX_SAMPLES: f64 = 1e4;
 /// Overlap in the reference state above which two parts count as joined.
 pub(in crate::contact) const JOINED_OVERLAP: f64 = 0.01;

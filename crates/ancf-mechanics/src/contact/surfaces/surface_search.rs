@@ -236,7 +236,11 @@ impl<T: SurfaceTarget> SurfaceContacts<T> {
                 let moved = stops[i] - starts[i];
                 let net = before[target].hull_points().iter().zip(after[target].hull_points());
                 let relative = net.map(|(a, b)| (moved - (b - a)).norm()).fold(0.0, f64::max);
-                let count = (relative / (SPACING * radii)).ceil().min(MAX_SAMPLES);
+                let count = (relative / (SPACING * radii)).ceil();
+                if count > MAX_SAMPLES {
+                    visit(i, 1.0, [f64::INFINITY, 0.0, f64::INFINITY]);
+                    continue;
+                }
                 if count <= 1.0 {
                     continue;
                 }

@@ -1,7 +1,8 @@
 //! Stability of a state by the inertia of its tangent stiffness.
 
-use ancf_solver::equations::{EquationsOfMotion, State, Weights};
+use ancf_solver::equations::{EquationsOfMotion, State, System, Weights};
 use ancf_solver::factor::{Factor, inertia, is_zero_on_motions};
+use ancf_solver::sparse::SparseMatrix;
 use serde::{Deserialize, Serialize};
 
 use crate::assembly::Assembly;
@@ -44,26 +45,13 @@ pub(crate) fn instability(assembly: &Assembly, s: &State) -> Option<Instability>
     if !s.q.iter().chain(&s.lambda).all(|x| x.is_finite()) {
         return None;
     }
-    match assembly.system.with_active_terms(s) {
-        Some((complete, _)) => instability_of(&complete, assembly, s),
-        None => instability_of(&assembly.system, assembly, s),
-    }
-}
-
-fn instability_of(
-    system: &ancf_solver::equations::System,
-    assembly: &Assembly,
-    s: &State,
-) -> Option<Instability> {
-    let mut k = system.matrix();
-    system.tangent(s, Weights::STIFFNESS, &mut k);
-    let mut factor = Factor::new(k.pattern()).ok()?;
-    factor.factorise(&k).ok()?;
-    let count = factor.negative_pivots().or_else(|| inertia(&k))?.checked_sub(system.multipliers())?;
-    let n = s.q.len();
-    if count == 0 || !is_zero_on_motions(&system.skew_stiffness(s), n, &k, &mut factor).ok()? {
+    let complete = assembly.system.with_active_terms(s).map(|(complete, _)| complete);
+    let TangentInertia { k, mut factor, count } =
+        TangentInertia::new(complete.as_ref().unwrap_or(&assembly.system), s)?;
+    if count == 0 {
         return None;
     }
+    let n = s.q.len();
     // Pseudo-random start vector: components along all eigenvectors.
     let mut x: Vec<f64> =
         (0..k.pattern().size()).map(|i| ((i + 1) as f64 * 0.754_877_67).fract() - 0.5).collect();
@@ -78,6 +66,34 @@ fn instability_of(
         vectors.filter(|vector| vector.is_position()).flat_map(|vector| vector.first..vector.first + 3);
     let at = positions.max_by(|a, b| x[*a].abs().total_cmp(&x[*b].abs()))?;
     Some(Instability { count, at })
+}
+
+/// Returns the number of unstable directions of a state, without the condition on the model; `None` if it is unknown.
+pub(crate) fn unstable_directions(assembly: &Assembly, s: &State) -> Option<usize> {
+    let complete = assembly.system.with_active_terms(s).map(|(complete, _)| complete);
+    Some(TangentInertia::new(complete.as_ref().unwrap_or(&assembly.system), s)?.count)
+}
+
+/// Tangent stiffness of a state with its factors.
+struct TangentInertia {
+    k: SparseMatrix,
+    factor: Factor,
+    /// Number of negative eigenvalues of the stiffness projected onto the constraints.
+    count: usize,
+}
+
+impl TangentInertia {
+    /// Counts the negative eigenvalues; `None` if the factors do not tell their number, or if it does not determine the stability.
+    fn new(system: &System, s: &State) -> Option<Self> {
+        let mut k = system.matrix();
+        system.tangent(s, Weights::STIFFNESS, &mut k);
+        let mut factor = Factor::new(k.pattern()).ok()?;
+        factor.factorise(&k).ok()?;
+        let count = factor.negative_pivots().or_else(|| inertia(&k))?.checked_sub(system.multipliers())?;
+        let skew = system.skew_stiffness(s);
+        let decides = count == 0 || is_zero_on_motions(&skew, s.q.len(), &k, &mut factor).ok()?;
+        decides.then_some(Self { k, factor, count })
+    }
 }
 
 /// Unloaded initial state.

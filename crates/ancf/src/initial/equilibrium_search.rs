@@ -10,7 +10,7 @@ use ancf_solver::statics::{Equilibrium, LoadIncrements, LoadStepper, load_rate, 
 use super::start_state::{StartState, require_alignment};
 use super::static_start::StaticStart;
 use crate::assembly::Assembly;
-use crate::failure::{RunFailure, find_cause, instability, require_support};
+use crate::failure::{RunFailure, find_cause, require_support, unstable_directions};
 use crate::model::{Model, Statics};
 use crate::units::{ScaleChoice, Scales};
 
@@ -65,7 +65,7 @@ impl EquilibriumSearch<'_> {
         each: &mut Each<'_>,
     ) -> Result<State, RunFailure> {
         let rate = self.rate(&start);
-        let mut best: Option<(State, NewtonReport, usize)> = None;
+        let mut best: Option<Candidate> = None;
         for factor in RATES {
             let (settled, report) = match self.regularised(start.clone(), factor * rate) {
                 Ok(found) => found,
@@ -73,18 +73,21 @@ impl EquilibriumSearch<'_> {
                 Err(_) => continue,
             };
             require_support(self.assembly, &settled, self.scales)?;
-            let unstable = instability(self.assembly, &settled).map_or(0, |found| found.count);
-            if best.as_ref().is_none_or(|(.., least)| unstable < *least) {
-                best = Some((settled, report, unstable));
+            let unstable = unstable_directions(self.assembly, &settled);
+            let energy = self.assembly.system.energy(&settled).total();
+            // Of positions with the same or an unknown stability, that with less energy is more stable.
+            let rank = (unstable.unwrap_or(1), energy);
+            if best.as_ref().is_none_or(|(.., least)| rank < *least) {
+                best = Some((settled, report, unstable, rank));
             }
-            if unstable == 0 {
+            if unstable == Some(0) {
                 break;
             }
         }
-        let Some((settled, NewtonReport { iterations, residual, increment, floor }, unstable)) = best else {
+        let Some((settled, NewtonReport { iterations, residual, increment, floor }, unstable, _)) = best
+        else {
             return Err(free);
         };
-        let unstable = Some(unstable);
         let energy = self.assembly.system.energy(&settled);
         let found = Equilibrium { iterations, attempts: 1, residual, increment, floor, unstable, energy };
         each(&settled, Some(&found));
@@ -119,10 +122,20 @@ impl EquilibriumSearch<'_> {
         s.load = self.settings.load;
         let newton = Newton::new(self.assembly.system.matrix(), REGULARISED_STOP, REGULARISED_ITERATIONS)?;
         let mut newton = newton.with_interrupt(self.interrupt.clone());
-        let report = solve_regularised(&self.assembly.system, &mut newton, &mut s, rate)?;
+        let mut solve = |rate| solve_regularised(&self.assembly.system, &mut newton, &mut s, rate);
+        let report = match solve(rate) {
+            // Loads in balance, such as the pretension of a line, can give a frequency far above that of the slow motions.
+            Err(SolveError { failure: SolveFailure::NotConverged | SolveFailure::Stagnated, .. }) => {
+                solve(SLOWER * rate)?
+            }
+            other => other?,
+        };
         Ok((s, report))
     }
 }
+
+/// Equilibrium with the report of its iteration, its number of unstable directions if known, and its rank: lower is more stable.
+type Candidate = (State, NewtonReport, Option<usize>, (usize, f64));
 
 /// Receiver of the start of load increments, and of every equilibrium with its report.
 pub(crate) type Each<'a> = dyn FnMut(&State, Option<&Equilibrium>) + 'a;
@@ -132,6 +145,8 @@ const REGULARISED_STOP: StopRule = StopRule::Energy(1e-14);
 /// Frequencies of the regularisation relative to that of the loads. A larger one is slower, and less likely to reach an unstable
 /// equilibrium.
 const RATES: [f64; 4] = [1.0, 1.5, 2.5, 4.0];
+/// Ratio of the frequencies of a second iteration, from the end of one that converged too slowly, and of the first.
+const SLOWER: f64 = 0.1;
 /// Ratio of the rate of all loads to that of gravity up to which gravity is the load.
 const GRAVITY: f64 = 2.0;
 /// Maximum number of regularised iterations. Their convergence is slow.

@@ -2,9 +2,11 @@
 
 mod drives;
 mod followers;
+mod hanging_chains;
 mod load_increments;
 mod loads_on_joints;
 mod paths;
+mod pretensioned_lines;
 mod rigid_bodies;
 mod rigid_ends;
 mod rotations;

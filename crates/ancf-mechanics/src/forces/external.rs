@@ -96,6 +96,10 @@ impl Term for ExternalForce {
         &self.coordinates
     }
 
+    fn has_kinks(&self) -> bool {
+        true
+    }
+
     fn residual(&self, at: &Local<'_>, r: &mut [f64]) {
         self.point.add(at.q, -self.force(at, self.motion(at)), r);
     }

@@ -132,6 +132,10 @@ impl Term for Strut {
         }
     }
 
+    fn has_kinks(&self) -> bool {
+        self.law.has_kinks()
+    }
+
     fn average_residual(&self, step: &LocalStep<'_>, r: &mut [f64]) {
         let (force, mean) = self.of_step(step);
         let (vector, middle) = (&self.distance_vector, &step.middle);

@@ -142,6 +142,14 @@ impl StrutLaw {
         }
     }
 
+    /// True if the force can have kinks.
+    pub(crate) const fn has_kinks(&self) -> bool {
+        match self {
+            Self::Linear(law) => law.rope,
+            Self::General(_) => true,
+        }
+    }
+
     /// True if the force can depend on the rate.
     pub(crate) fn is_damped(&self) -> bool {
         match self {

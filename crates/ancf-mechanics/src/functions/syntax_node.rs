@@ -84,6 +84,18 @@ impl SyntaxNode {
         }
     }
 
+    /// Returns the formula of one variable that remains if the others have fixed values; `None` stands for that variable.
+    pub(crate) fn with_values(&self, value: &impl Fn(usize) -> Option<f64>) -> Self {
+        let with = |node: &Self| node.with_values(value);
+        match self {
+            Self::Number(x) => Self::Number(*x),
+            Self::Variable(number) => value(*number).map_or(Self::Variable(0), Self::Number),
+            Self::One(f, x) => Self::One(*f, Box::new(with(x))),
+            Self::Two(f, parts) => Self::Two(*f, Box::new(parts.each_ref().map(with))),
+            Self::If(parts) => Self::If(Box::new(parts.each_ref().map(with))),
+        }
+    }
+
     /// True if the formula contains a variable.
     pub(crate) fn contains(&self, variable: usize) -> bool {
         match self {

@@ -1,5 +1,9 @@
+use std::sync::Arc;
+
 use super::force_law::{ForceLaw, LawState, LawValue};
-use crate::functions::{ExpressionError, InputSignal, Jet, Operand as _, SyntaxNode, is_reserved, parse};
+use crate::functions::{
+    Expression, ExpressionError, Function, InputSignal, Jet, Operand as _, SyntaxNode, is_reserved, parse,
+};
 
 /// Force law by a formula in time, coordinate, rate and inputs, with exact derivatives by dual numbers.
 #[derive(Clone, Debug)]
@@ -71,6 +75,19 @@ impl LawExpression {
     /// True if the formula contains the time.
     pub fn contains_time(&self) -> bool {
         self.root.contains(TIME)
+    }
+
+    /// Returns the force as a function of the time of the model, for x = v = 1 and the inputs at time 0; `None` if the formula does not
+    /// contain the time. It shows when the force varies, not by how much.
+    pub fn function_of_time(&self) -> Option<Function> {
+        let value = |variable| match variable {
+            TIME => None,
+            POSITION => Some(1.0 + self.origin),
+            INPUTS.. => Some(self.inputs[variable - INPUTS].at(0.0).value),
+            _ => Some(1.0),
+        };
+        let formula = Arc::new(Expression::of(self.root.with_values(&value)));
+        self.contains_time().then_some(Function::Expression { formula, unit: self.unit_of_time })
     }
 
     /// True if the formula contains the input with a number.

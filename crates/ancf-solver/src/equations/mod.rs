@@ -3,6 +3,7 @@
 mod batch;
 mod constraint_rows;
 mod contact_pairs;
+mod law_changes;
 mod motion_equations;
 mod scatter;
 mod stiffness_products;
@@ -15,6 +16,7 @@ mod thread_parts;
 pub use batch::{Batch, LANES, Lanes, LocalLanes, MAX_UNKNOWNS};
 pub use constraint_rows::{REDUNDANCY_TOLERANCE, all_constraint_rows, constraint_rows};
 pub use contact_pairs::{ActiveGroup, ActivePair, ContactGroup, ContactPair, ContactSearch, active_terms};
+pub use law_changes::LawChanges;
 pub use motion_equations::EquationsOfMotion;
 pub use scatter::Scatter;
 pub use stiffness_products::StiffnessProducts;

@@ -1,6 +1,7 @@
 use nalgebra::DVector;
 
 use super::contact_pairs::{ActiveGroup, ActivePair};
+use super::law_changes::LawChanges;
 use super::stiffness_products::StiffnessProducts;
 use super::term_sums::Rotation;
 use super::terms::{Energy, Inadmissibility, Level, Power, State, StepStates, Weights};
@@ -183,6 +184,14 @@ pub trait EquationsOfMotion {
     fn acting_pairs(&self, _s: &State) -> Option<Vec<ActivePair>> {
         None
     }
+
+    /// Returns the force changes of laws with kinks in a step, given its start, middle and end; `None` if there are none.
+    fn law_changes(&self, _from: &State, _middle: &State, _to: &State) -> Option<LawChanges> {
+        None
+    }
+
+    /// Adds the tangents of some terms, by their numbers in [`LawChanges`], to a matrix of the pattern.
+    fn add_tangents(&self, _terms: &[usize], _s: &State, _w: Weights, _k: &mut SparseMatrix) {}
 
     /// Returns the largest rotation between two states, which limits load increments.
     fn rotation(&self, _from: &State, _to: &State) -> Rotation {

@@ -8,6 +8,7 @@ use nalgebra::DVector;
 use super::batch::LaneStorage;
 use super::constraint_rows::redundant_rows;
 use super::contact_pairs::{ActiveGroup, ActivePair, acting_pairs};
+use super::law_changes::{LawChanges, law_changes};
 use super::motion_equations::EquationsOfMotion;
 use super::stiffness_products::{StiffnessProducts, stiffness_products};
 use super::system::System;
@@ -182,6 +183,18 @@ impl EquationsOfMotion for System {
 
     fn acting_pairs(&self, s: &State) -> Option<Vec<ActivePair>> {
         (!self.searches().is_empty()).then(|| acting_pairs(self.searches(), s))
+    }
+
+    fn law_changes(&self, from: &State, middle: &State, to: &State) -> Option<LawChanges> {
+        let terms = self.unbatched.iter().map(|&i| (i, self.terms[i].as_ref()));
+        law_changes(terms, [from, middle, to])
+    }
+
+    fn add_tangents(&self, terms: &[usize], s: &State, w: Weights, k: &mut SparseMatrix) {
+        let mut gathered = LocalState::EMPTY;
+        self.add_matrix(terms.iter().copied(), k.values_mut(), |term, block| {
+            term.tangent(&gathered.gather(s, term), w, block);
+        });
     }
 
     fn rotation(&self, from: &State, to: &State) -> Rotation {

@@ -13,6 +13,8 @@ use crate::model::{IndexedModel, Load, Model, TimeMode, loads_of};
 pub(crate) struct Inputs {
     /// Functions of time. The flag is true for drives, whose rates are used.
     times: Vec<(String, Function, bool)>,
+    /// Force laws that contain the time.
+    laws: Vec<Function>,
     /// External forces with their points of application.
     forces: Vec<(String, BodyVector, ForceFunction)>,
 }
@@ -50,12 +52,17 @@ impl TimeFunctions for StepFunctions {
 impl Inputs {
     /// Times at which formulas may jump or have a kink.
     pub(crate) fn switches(&self, duration: f64) -> impl Iterator<Item = f64> + '_ {
-        self.times.iter().flat_map(move |(_, function, _)| function.switches(duration))
+        self.functions().flat_map(move |function| function.switches(duration))
+    }
+
+    /// Functions of time, and force laws as such.
+    fn functions(&self) -> impl Iterator<Item = &Function> {
+        self.times.iter().map(|(_, function, _)| function).chain(&self.laws)
     }
 
     /// Functions of time for the step size control of a duration.
     pub(crate) fn step_functions(&self, duration: f64) -> Box<dyn TimeFunctions> {
-        let functions = self.times.iter().map(|(_, function, _)| function.clone()).collect();
+        let functions = self.functions().cloned().collect();
         Box::new(StepFunctions { functions, spacing: duration / SAMPLES })
     }
 
@@ -89,7 +96,11 @@ impl IndexedModel<'_> {
             let Load::External(external) = load else { return None };
             Some((path, self.attachment(bodies, &external.on).point, external.function(time_mode)?))
         });
-        Inputs { times: times.filter(|(_, f, _)| !f.is_constant()).collect(), forces: forces.collect() }
+        Inputs {
+            times: times.filter(|(_, f, _)| !f.is_constant()).collect(),
+            laws: self.laws_of_time().map(|(_, law)| law).collect(),
+            forces: forces.collect(),
+        }
     }
 }
 

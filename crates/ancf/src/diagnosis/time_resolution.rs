@@ -1,3 +1,5 @@
+use ancf_mechanics::functions::Function;
+
 use super::free_motion::number;
 use crate::model::{Model, TimeMode};
 
@@ -11,11 +13,11 @@ pub(crate) fn time_warnings(model: &Model) -> Vec<String> {
     else {
         return Vec::new();
     };
-    let functions = model.time_functions().into_iter();
-    let warning = |(path, time)| {
-        let variation = TimeMode::AsGiven
-            .function(time)
-            .unresolved_variation([model.initial.start_time, settings.duration], step)?;
+    let model = model.with_signals();
+    let functions =
+        model.time_functions().into_iter().map(|(path, time)| (path, TimeMode::AsGiven.function(time)));
+    let warning = |(path, function): (String, Function)| {
+        let variation = function.unresolved_variation([model.initial.start_time, settings.duration], step)?;
         let [at, width, step] = [variation.at, variation.width, step].map(number);
         Some(format!(
             "`{path}` changes by {} within {width} at t = {at}, between the ends of a step of {step}: its effect is lost or \
@@ -23,5 +25,5 @@ pub(crate) fn time_warnings(model: &Model) -> Vec<String> {
             number(variation.deviation)
         ))
     };
-    functions.filter_map(warning).collect()
+    functions.chain(model.laws_of_time()).filter_map(warning).collect()
 }

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use ancf_mechanics::contact::ObstacleShape;
-use ancf_mechanics::functions::InputSignal;
+use ancf_mechanics::functions::{Function, InputSignal};
 use ancf_mechanics::shells::{Laminate, Ply};
 
 use crate::joints::Joint;
@@ -159,6 +159,15 @@ impl Model {
         joints_of(self).flat_map(|(path, joint)| {
             let laws = joint.kind().laws().into_iter();
             laws.map(move |one| (format!("{path}.{}", one.key), one))
+        })
+    }
+
+    /// Force laws whose formulas contain the time, as functions of the time alone, with their paths. Inputs must be
+    /// [connected](Self::connect_inputs).
+    pub(crate) fn laws_of_time(&self) -> impl Iterator<Item = (String, Function)> {
+        self.laws().filter_map(|(path, one)| {
+            let law = one.law.expression(one.kind, 1.0, &[]).ok()??;
+            Some((path, law.function_of_time()?))
         })
     }
 

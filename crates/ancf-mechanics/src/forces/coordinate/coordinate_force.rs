@@ -49,6 +49,10 @@ impl Term for CoordinateForce {
         k.add(0, 0, w.q * by_position + w.v * by_rate);
     }
 
+    fn has_kinks(&self) -> bool {
+        true
+    }
+
     fn average_residual(&self, step: &LocalStep<'_>, r: &mut [f64]) {
         let middle = &step.middle;
         let force = |v| self.law.at(middle.t, middle.q[0], v, middle.load).force;

@@ -37,6 +37,10 @@ impl Term for Friction {
         &self.coordinates
     }
 
+    fn has_kinks(&self) -> bool {
+        true
+    }
+
     fn residual(&self, at: &Local<'_>, r: &mut [f64]) {
         let rate = self.measure.slope(at.q, at.v);
         self.measure.add_gradient(at.q, self.force * self.curve.at(rate), r);

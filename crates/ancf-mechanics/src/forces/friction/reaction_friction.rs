@@ -101,6 +101,10 @@ impl Term for ReactionFriction {
         &self.multipliers
     }
 
+    fn has_kinks(&self) -> bool {
+        true
+    }
+
     fn residual(&self, at: &Local<'_>, r: &mut [f64]) {
         let now = self.sliding(at.q, at.v, at.lambda);
         for (row, component) in now.rows.iter().zip(now.components) {

@@ -2,6 +2,7 @@ use serde::{Deserialize, Serialize};
 
 use super::contact_changes::ContactChanges;
 use super::error_estimate::{ErrorEstimate, ErrorHistory};
+use super::law_changes::law_accelerations;
 use super::unseen_variation::{TimeFunctions, UnseenVariation, displacements};
 use crate::dynamics::integration_state::CheckpointMismatch;
 use crate::dynamics::step_report::StepReport;
@@ -44,8 +45,8 @@ impl ErrorControl {
 ///
 /// The global error bound is proven for vibrations only. Unstable motions have larger errors.
 ///
-/// The estimate is the error of a smooth motion. The errors of contacts that open or close, and of functions of time that
-/// vary between the ends of the step, are added.
+/// The estimate is the error of a smooth motion. The errors of contacts that open or close, of laws with kinks, and of functions of
+/// time that vary between the ends of the step, are added.
 ///
 /// Source: Söderlind (2003), the digital filter H211b.
 #[derive(Debug)]
@@ -84,7 +85,7 @@ const TARGET: f64 = 0.4;
 const FILTER: (f64, f64) = (0.125, 0.25);
 /// Reduction factor after a failed iteration, and largest reduction after a rejected step.
 const REDUCTION: f64 = 0.25;
-/// Weight of the errors of contacts that change and of functions that vary within a step. They are errors of velocities:
+/// Weight of the errors of contacts and laws that change and of functions that vary within a step. They are errors of velocities:
 /// with a weight of 1, those of one step would displace the system by the whole tolerance at the end.
 const VELOCITY_WEIGHT: f64 = 4.0;
 /// Exponent of the growth of steps with constraints, below 1, so that errors along constraints decay; and its lower limit.
@@ -232,6 +233,10 @@ impl AdaptiveStepper {
                 error = error.max(0.5 * h * h * self.estimate.norm(x));
             })?;
         }
+        let (w, matrix) = (dynamics.scheme.weights(h), &dynamics.newton.tangent.matrix);
+        law_accelerations(eom, ends, w, matrix, |x| {
+            error = error.max(0.5 * h * h * self.estimate.norm(x));
+        })?;
         self.unseen.clear();
         if let Some(functions) = &self.functions {
             functions.unseen(ends[0].t, ends[1].t, &mut self.unseen);

@@ -89,7 +89,7 @@ fn difference(a: &[f64], b: &[f64]) -> Vec<f64> {
 }
 
 /// Returns the middle of a step on cubic polynomials through positions and velocities of both ends.
-fn middle(from: &State, to: &State) -> State {
+pub(super) fn middle(from: &State, to: &State) -> State {
     let (mut s, h) = (to.clone(), to.t - from.t);
     s.set_middle(from, to);
     for i in 0..s.q.len() {

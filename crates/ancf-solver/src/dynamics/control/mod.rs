@@ -3,6 +3,7 @@
 mod adaptive;
 mod contact_changes;
 mod error_estimate;
+mod law_changes;
 mod unseen_variation;
 
 pub use adaptive::{AdaptiveCheckpoint, AdaptiveStepper, ErrorControl};

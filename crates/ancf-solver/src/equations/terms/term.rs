@@ -212,6 +212,11 @@ pub trait Term: Any + Send + Sync {
         Energy::default()
     }
 
+    /// Returns true if the force can have kinks or jumps, such as that of a stop. Steps with error control resolve them.
+    fn has_kinks(&self) -> bool {
+        false
+    }
+
     /// Returns the coordinate that is an angle with counted turns, if there is one.
     fn counted_angle(&self) -> Option<usize> {
         None

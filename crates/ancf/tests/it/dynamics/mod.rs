@@ -1,6 +1,7 @@
 //! Time integration: order, step control, initial conditions, Newton methods, rigid bodies.
 
 mod adaptive;
+mod adaptive_laws;
 mod convergence;
 mod dissipation;
 mod energy;

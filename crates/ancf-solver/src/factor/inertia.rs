@@ -1,7 +1,7 @@
 use super::factorisation::Factor;
 use crate::sparse::SparseMatrix;
 
-/// Weight of the constraints relative to the largest diagonal entry. It is larger than one, since multipliers add negative
+/// Weight of the constraints relative to the largest entry of K. It is larger than one, since multipliers add negative
 /// entries of the size of K, and not an integer, so that sums do not cancel.
 const WEIGHT: f64 = 61.803_398_87;
 
@@ -15,10 +15,16 @@ const WEIGHT: f64 = 61.803_398_87;
 pub fn inertia(k: &SparseMatrix) -> Option<usize> {
     let pattern = k.pattern();
     let mut augmented = k.clone();
-    let largest = (0..pattern.size()).map(|i| k.diagonal_of(i).abs()).fold(0.0, f64::max);
-    let scale = WEIGHT * if largest > 0.0 { largest } else { 1.0 };
     let mut rows: Vec<(usize, usize, f64)> = k.constraints().filter(|row| row.2 != 0.0).collect();
     rows.sort_unstable_by_key(|&(multiplier, coordinate, _)| (multiplier, coordinate));
+    // Largest entry of K, off the diagonal too: that of rigid bodies can be rounding errors only.
+    let (coordinates, mut largest) = (rows.first().map_or(pattern.size(), |row| row.0), 0.0_f64);
+    k.visit(|i, j, value| {
+        if pattern.unknown(i).max(pattern.unknown(j)) < coordinates {
+            largest = largest.max(value.abs());
+        }
+    });
+    let scale = WEIGHT * if largest > 0.0 { largest } else { 1.0 };
     for row in rows.chunk_by(|a, b| a.0 == b.0) {
         let square: f64 = row.iter().map(|(.., entry)| entry * entry).sum();
         for (i, &(_, a, x)) in row.iter().enumerate() {

@@ -1,3 +1,5 @@
+use nalgebra::DMatrix;
+
 use super::factorisation::Factor;
 use crate::sparse::SparseMatrix;
 
@@ -8,11 +10,41 @@ const WEIGHT: f64 = 61.803_398_87;
 /// Returns the number of negative eigenvalues of [K, Φ_qᵀ; Φ_q, 0] where K may be singular without the constraints.
 ///
 /// The inertia is that of [K + Φ_qᵀ Γ Φ_q, Φ_qᵀ; Φ_q, 0] for any Γ: both projections onto Φ_q x = 0 are equal. With
-/// Γ > 0 above the size of K the pivots of rigid bodies, which have no stiffness, are far from zero. `None` if LDLᵀ still
-/// does not succeed.
+/// Γ > 0 above the size of K the pivots of rigid bodies, which have no stiffness, are far from zero. If LDLᵀ still does not succeed,
+/// the eigenvalues of small matrices are computed; `None` for larger ones, and if an eigenvalue is zero by rounding.
 ///
 /// Source: Nocedal & Wright (2006), theorem 16.3; Hestenes (1969), the augmented Lagrangian.
 pub fn inertia(k: &SparseMatrix) -> Option<usize> {
+    inertia_by_factors(k).or_else(|| inertia_by_eigenvalues(k))
+}
+
+/// Largest number of unknowns for which all eigenvalues are computed.
+const SMALL: usize = 600;
+/// Magnitude below which an eigenvalue is zero by rounding, in a matrix whose rows have a largest entry of about 1.
+const ZERO: f64 = 1e-11;
+/// Number of times that rows and columns are divided by the square root of their largest entry.
+const EQUILIBRATIONS: usize = 5;
+
+fn inertia_by_eigenvalues(k: &SparseMatrix) -> Option<usize> {
+    let size = k.pattern().size();
+    if size > SMALL {
+        return None;
+    }
+    let rows = k.dense();
+    let mut dense = DMatrix::from_fn(size, size, |i, j| rows[i][j]);
+    for _ in 0..EQUILIBRATIONS {
+        let scales: Vec<f64> = dense.column_iter().map(|column| column.amax().sqrt().recip()).collect();
+        if scales.iter().any(|scale| !scale.is_finite()) {
+            return None;
+        }
+        dense = DMatrix::from_fn(size, size, |i, j| scales[i] * dense[(i, j)] * scales[j]);
+    }
+    let eigenvalues = dense.symmetric_eigenvalues();
+    let decided = eigenvalues.iter().all(|value| value.abs() > ZERO);
+    decided.then(|| eigenvalues.iter().filter(|value| **value < 0.0).count())
+}
+
+fn inertia_by_factors(k: &SparseMatrix) -> Option<usize> {
     let pattern = k.pattern();
     let mut augmented = k.clone();
     let mut rows: Vec<(usize, usize, f64)> = k.constraints().filter(|row| row.2 != 0.0).collect();

@@ -144,7 +144,7 @@ pub(crate) type Each<'a> = dyn FnMut(&State, Option<&Equilibrium>) + 'a;
 const REGULARISED_STOP: StopRule = StopRule::Energy(1e-14);
 /// Frequencies of the regularisation relative to that of the loads. A larger one is slower, and less likely to reach an unstable
 /// equilibrium.
-const RATES: [f64; 4] = [1.0, 1.5, 2.5, 4.0];
+const RATES: [f64; 7] = [1.0, 1.5, 2.5, 4.0, 8.0, 16.0, 32.0];
 /// Ratio of the frequencies of a second iteration, from the end of one that converged too slowly, and of the first.
 const SLOWER: f64 = 0.1;
 /// Ratio of the rate of all loads to that of gravity up to which gravity is the load.

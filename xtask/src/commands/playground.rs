@@ -47,7 +47,17 @@ fn small() -> impl Iterator<Item = String> {
     let own = ["ancf", "ancf-report", "ancf-surface", "ancf-web"];
     let formats =
         ["csv", "gltf-json", "nom", "postcard", "quick-xml", "roxmltree", "schemars", "serde_json", "stl_io"];
-    let more = ["toml", "toml_edit", "toml_parser", "vtkio", "winnow"];
+    let more = [
+        "base64",
+        "flate2",
+        "lz4_flex",
+        "miniz_oxide",
+        "toml",
+        "toml_edit",
+        "toml_parser",
+        "vtkio",
+        "winnow",
+    ];
     let option = |name| format!("profile.release.package.{name}.opt-level=\"s\"");
     let together = ["profile.release.lto=\"fat\"", "profile.release.codegen-units=1"].map(str::to_owned);
     let options = own.into_iter().chain(formats).chain(more).map(option).chain(together);

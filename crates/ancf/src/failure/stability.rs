@@ -45,9 +45,7 @@ pub(crate) fn instability(assembly: &Assembly, s: &State) -> Option<Instability>
     if !s.q.iter().chain(&s.lambda).all(|x| x.is_finite()) {
         return None;
     }
-    let complete = assembly.system.with_active_terms(s).map(|(complete, _)| complete);
-    let TangentInertia { k, mut factor, count } =
-        TangentInertia::new(complete.as_ref().unwrap_or(&assembly.system), s)?;
+    let TangentInertia { k, mut factor, count } = TangentInertia::of(assembly, s)?;
     if count == 0 {
         return None;
     }
@@ -70,8 +68,7 @@ pub(crate) fn instability(assembly: &Assembly, s: &State) -> Option<Instability>
 
 /// Returns the number of unstable directions of a state, without the condition on the model; `None` if it is unknown.
 pub(crate) fn unstable_directions(assembly: &Assembly, s: &State) -> Option<usize> {
-    let complete = assembly.system.with_active_terms(s).map(|(complete, _)| complete);
-    Some(TangentInertia::new(complete.as_ref().unwrap_or(&assembly.system), s)?.count)
+    TangentInertia::of(assembly, s).map(|inertia| inertia.count)
 }
 
 /// Tangent stiffness of a state with its factors.
@@ -83,6 +80,14 @@ struct TangentInertia {
 }
 
 impl TangentInertia {
+    /// Inertia with all contacts that are active in the state.
+    fn of(assembly: &Assembly, s: &State) -> Option<Self> {
+        match assembly.system.with_active_terms(s) {
+            Some((complete, _)) => Self::new(&complete, s),
+            None => Self::new(&assembly.system, s),
+        }
+    }
+
     /// Counts the negative eigenvalues; `None` if the factors do not tell their number, or if it does not determine the stability.
     fn new(system: &System, s: &State) -> Option<Self> {
         let mut k = system.matrix();

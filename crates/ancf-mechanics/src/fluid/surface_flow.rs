@@ -191,7 +191,7 @@ impl Term for SurfaceFlowLoad {
     }
 
     fn skew_damping(&self, at: &Local<'_>, visit: &mut dyn FnMut(usize, usize, f64)) {
-        self.visit_skew(at, Weights { q: 0.0, v: 1.0, a: 0.0 }, visit);
+        self.visit_skew(at, Weights::DAMPING, visit);
     }
 
     fn energy(&self, at: &Local<'_>) -> Energy {

@@ -23,11 +23,11 @@ pub(super) fn law_changes<'a>(
 ) -> Option<LawChanges> {
     let zeros = vec![0.0; from.q.len()];
     let mut changes = LawChanges { terms: Vec::new(), forces: [zeros.clone(), zeros] };
-    let mut gathered = [const { LocalState::EMPTY }; 3];
+    let (mut gathered, mut storage) = ([const { LocalState::EMPTY }; 3], vec![0.0; LOCAL * (LOCAL + 1) / 2]);
     for (number, term) in terms.filter(|(_, term)| term.has_kinks()) {
         let [a, b, c] = &mut gathered;
         let ends = [a.gather(from, term), c.gather(to, term)];
-        let Some(own) = changes_of(term, ends, &b.gather(middle, term)) else { continue };
+        let Some(own) = changes_of(term, ends, &b.gather(middle, term), &mut storage) else { continue };
         for (sum, own) in changes.forces.iter_mut().zip(own) {
             term.coordinates().iter().zip(own).for_each(|(&i, force)| sum[i] += force);
         }
@@ -38,7 +38,13 @@ pub(super) fn law_changes<'a>(
 
 type Forces = [f64; LOCAL];
 
-fn changes_of(term: &dyn Term, ends: [Local<'_>; 2], middle: &Local<'_>) -> Option<[Forces; 2]> {
+/// Returns the changes of a term; `None` if its law is nearly linear in the step. `storage` is that of a matrix.
+fn changes_of(
+    term: &dyn Term,
+    ends: [Local<'_>; 2],
+    middle: &Local<'_>,
+    storage: &mut [f64],
+) -> Option<[Forces; 2]> {
     let n = term.coordinates().len();
     let [before, after] = &ends;
     let (mut moved, mut sped_up) = ([0.0; LOCAL], [0.0; LOCAL]);
@@ -49,7 +55,7 @@ fn changes_of(term: &dyn Term, ends: [Local<'_>; 2], middle: &Local<'_>) -> Opti
     let dot = |x: &Forces, y: &Forces| (0..n).map(|i| x[i] * y[i]).sum::<f64>();
     let work = |force: &Forces| dot(force, &moved).abs() + h * dot(force, &sped_up).abs();
     let [start, between, end] = [before, middle, after].map(|at| forces(term, at));
-    let linear = [before, after].map(|at| linear_change(term, at, [&moved, &sped_up]));
+    let linear = [before, after].map(|at| linear_change(term, at, [&moved, &sped_up], storage));
     let linear = if work(&linear[0]) <= work(&linear[1]) { linear[0] } else { linear[1] };
     let (mut change, mut bend) = ([0.0; LOCAL], [0.0; LOCAL]);
     for i in 0..n {
@@ -67,13 +73,10 @@ fn forces(term: &dyn Term, at: &Local<'_>) -> Forces {
 }
 
 /// Returns K Δq + D Δv.
-fn linear_change(term: &dyn Term, at: &Local<'_>, changes: [&Forces; 2]) -> Forces {
-    let n = at.q.len();
-    let (mut sum, mut storage) = ([0.0; LOCAL], vec![0.0; LOCAL * (LOCAL + 1) / 2]);
-    for (w, x) in
-        [Weights { q: 1.0, v: 0.0, a: 0.0 }, Weights { q: 0.0, v: 1.0, a: 0.0 }].into_iter().zip(changes)
-    {
-        let mut matrix = LocalMatrix::zero(n + term.multipliers().len(), &mut storage);
+fn linear_change(term: &dyn Term, at: &Local<'_>, changes: [&Forces; 2], storage: &mut [f64]) -> Forces {
+    let (n, mut sum) = (at.q.len(), [0.0; LOCAL]);
+    for (w, x) in [Weights::STIFFNESS, Weights::DAMPING].into_iter().zip(changes) {
+        let mut matrix = LocalMatrix::zero(n + term.multipliers().len(), storage);
         term.tangent(at, w, &mut matrix);
         for i in 0..n {
             sum[i] += (0..n).map(|j| matrix.get(i.max(j), i.min(j)) * x[j]).sum::<f64>();

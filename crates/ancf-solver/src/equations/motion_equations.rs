@@ -185,6 +185,11 @@ pub trait EquationsOfMotion {
         None
     }
 
+    /// True if a law can have kinks ([`Term::has_kinks`](super::terms::Term::has_kinks)).
+    fn has_kinks(&self) -> bool {
+        false
+    }
+
     /// Returns the force changes of laws with kinks in a step, given its start, middle and end; `None` if there are none.
     fn law_changes(&self, _from: &State, _middle: &State, _to: &State) -> Option<LawChanges> {
         None

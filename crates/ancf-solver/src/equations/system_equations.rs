@@ -185,6 +185,10 @@ impl EquationsOfMotion for System {
         (!self.searches().is_empty()).then(|| acting_pairs(self.searches(), s))
     }
 
+    fn has_kinks(&self) -> bool {
+        self.unbatched().any(|term| term.has_kinks())
+    }
+
     fn law_changes(&self, from: &State, middle: &State, to: &State) -> Option<LawChanges> {
         let terms = self.unbatched.iter().map(|&i| (i, self.terms[i].as_ref()));
         law_changes(terms, [from, middle, to])

@@ -1,6 +1,7 @@
 use nalgebra::DMatrix;
 
 use super::factorisation::Factor;
+use super::scaled_lu::equilibrate;
 use crate::sparse::SparseMatrix;
 
 /// Weight of the constraints relative to the largest entry of K. It is larger than one, since multipliers add negative
@@ -22,22 +23,18 @@ pub fn inertia(k: &SparseMatrix) -> Option<usize> {
 const SMALL: usize = 600;
 /// Magnitude below which an eigenvalue is zero by rounding, in a matrix whose rows have a largest entry of about 1.
 const ZERO: f64 = 1e-11;
-/// Number of times that rows and columns are divided by the square root of their largest entry.
-const EQUILIBRATIONS: usize = 5;
 
 fn inertia_by_eigenvalues(k: &SparseMatrix) -> Option<usize> {
     let size = k.pattern().size();
     if size > SMALL {
         return None;
     }
-    let rows = k.dense();
-    let mut dense = DMatrix::from_fn(size, size, |i, j| rows[i][j]);
-    for _ in 0..EQUILIBRATIONS {
-        let scales: Vec<f64> = dense.column_iter().map(|column| column.amax().sqrt().recip()).collect();
-        if scales.iter().any(|scale| !scale.is_finite()) {
-            return None;
-        }
-        dense = DMatrix::from_fn(size, size, |i, j| scales[i] * dense[(i, j)] * scales[j]);
+    let mut entries = Vec::new();
+    k.visit(|i, j, value| entries.push((i, j, value)));
+    let (scales, mut dense) = (equilibrate(&entries, size), DMatrix::zeros(size, size));
+    for (i, j, value) in entries {
+        dense[(i, j)] = scales[i] * value * scales[j];
+        dense[(j, i)] = dense[(i, j)];
     }
     let eigenvalues = dense.symmetric_eigenvalues();
     let decided = eigenvalues.iter().all(|value| value.abs() > ZERO);

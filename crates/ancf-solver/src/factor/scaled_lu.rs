@@ -108,7 +108,7 @@ impl GeneralLu {
 }
 
 /// Computes scales that give the largest entry of each row a size near one.
-fn equilibrate(entries: &[(usize, usize, f64)], size: usize) -> Vec<f64> {
+pub(super) fn equilibrate(entries: &[(usize, usize, f64)], size: usize) -> Vec<f64> {
     let (mut scales, mut largest) = (vec![1.0; size], vec![0.0_f64; size]);
     for _ in 0..SWEEPS {
         largest.fill(0.0);

@@ -1,7 +1,6 @@
 //! Checks of joints, of drives, springs and friction, and of couplings.
 
 use ancf_solver::equations::LOCAL;
-use nalgebra::Vector3;
 
 use super::findings::{COINCIDENT, body};
 use crate::errors::{Finding, finding, is_direction, no_direction, number, quoted};
@@ -54,12 +53,7 @@ pub(crate) fn spans(model: &IndexedModel<'_>) -> Vec<Finding> {
 
 /// Returns the distance of the ends of a joint in the undeformed state; `None` for the ground without a point.
 fn initial_distance(model: &IndexedModel<'_>, a: &Place, b: &End) -> Option<f64> {
-    let there = match b {
-        End::Place(place) => model.point(place)?,
-        End::Point(ground) => Vector3::from(ground.point),
-        End::Ground => return None,
-    };
-    Some((model.point(a)? - there).norm())
+    Some((model.point(a)? - model.end_point(b)?).norm())
 }
 
 /// Number of instants at which lengths that vary in time are checked.

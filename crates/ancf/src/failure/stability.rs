@@ -95,8 +95,8 @@ impl TangentInertia {
         let mut factor = Factor::new(k.pattern()).ok()?;
         factor.factorise(&k).ok()?;
         let count = factor.negative_pivots().or_else(|| inertia(&k))?.checked_sub(system.multipliers())?;
-        let skew = system.skew_stiffness(s);
-        let decides = count == 0 || is_zero_on_motions(&skew, s.q.len(), &k, &mut factor).ok()?;
+        let decides =
+            count == 0 || is_zero_on_motions(&system.skew_stiffness(s), s.q.len(), &k, &mut factor).ok()?;
         decides.then_some(Self { k, factor, count })
     }
 }

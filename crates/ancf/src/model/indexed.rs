@@ -78,6 +78,16 @@ impl<'m> IndexedModel<'m> {
         Some(body.point(&place.at)? + Vector3::from(place.offset))
     }
 
+    /// Point of the second end of a joint in the reference state; `None` for the ground without a point, and if the place does not
+    /// exist.
+    pub(crate) fn end_point(&self, end: &End) -> Option<Vector3<f64>> {
+        match end {
+            End::Ground => None,
+            End::Place(place) => self.point(place),
+            End::Point(ground) => Some(Vector3::from(ground.point)),
+        }
+    }
+
     /// Reference length ([`Model::length`]), computed once.
     pub(crate) fn length(&self) -> f64 {
         *self.length.get_or_init(|| self.computed_length())
@@ -103,14 +113,8 @@ impl<'m> IndexedModel<'m> {
     /// Twice the largest distance of a centre of a body or an end of a joint from their mean.
     fn extent(&self) -> f64 {
         let centres = self.bodies().map(|body| Vector3::from(body.span()[0]));
-        let ends = self.model.joints.iter().map(Joint::ends).flat_map(|(a, b)| {
-            let other = match b {
-                End::Ground => None,
-                End::Place(place) => self.point(place),
-                End::Point(ground) => Some(Vector3::from(ground.point)),
-            };
-            [self.point(a), other]
-        });
+        let ends = self.model.joints.iter().map(Joint::ends);
+        let ends = ends.flat_map(|(a, b)| [self.point(a), self.end_point(b)]);
         let mut points: Vec<Vector3<f64>> = centres.chain(ends.flatten()).collect();
         // Relative to one of them, equal points have no distance by rounding.
         let origin = points.first().copied().unwrap_or_default();

@@ -177,9 +177,13 @@ impl BeamContacts {
 
     /// Returns the first result of `find` on the straight line between two states, from its position and state.
     ///
-    /// The states between both are sampled so that no point moves by more than a quarter of the smallest radius.
-    fn between<T>(&self, from: &State, to: &State, find: impl Fn(f64, &State) -> Option<T>) -> Option<T> {
-        let count = self.samples(from, to).0.min(MAX_SAMPLES);
+    /// `count` states are sampled, of [`Self::samples`].
+    fn between<T>(
+        &self,
+        [from, to]: [&State; 2],
+        count: f64,
+        find: impl Fn(f64, &State) -> Option<T>,
+    ) -> Option<T> {
         if count <= 1.0 {
             return None;
         }
@@ -192,7 +196,8 @@ impl BeamContacts {
         })
     }
 
-    /// Returns the number of states to sample between two states, and a coordinate of the point that moves farthest.
+    /// Returns the number of states to sample between two states, so that no point moves by more than a quarter of the smallest radius,
+    /// and a coordinate of the point that moves farthest.
     fn samples(&self, from: &State, to: &State) -> (f64, Option<usize>) {
         let smallest = self.tubes.iter().map(|tube| tube.radius).fold(f64::INFINITY, f64::min);
         let count = |distance: f64| (distance / (SPACING * smallest)).ceil();
@@ -276,7 +281,7 @@ impl ContactSearch for BeamContacts {
         if count > MAX_SAMPLES {
             return farthest;
         }
-        self.between(from, to, |_, between| {
+        self.between([from, to], count, |_, between| {
             let pair = self.deep(between)?;
             let is_new = !self.contact(pair).overlaps(from, 1.0 - SMALLEST_DISTANCE);
             is_new.then(|| self.contact(pair).coordinates.first().copied()).flatten()
@@ -284,7 +289,8 @@ impl ContactSearch for BeamContacts {
     }
 
     fn passing(&self, from: &State, to: &State) -> Option<f64> {
-        self.between(from, to, |part, between| {
+        let count = self.samples(from, to).0.min(MAX_SAMPLES);
+        self.between([from, to], count, |part, between| {
             let near = self.near(between).into_iter().filter(|(_, distance)| *distance < 0.0);
             let mut pairs = near.map(|(pair, _)| self.contact(pair));
             let is_new = |contact: &BeamContact| [from, to].iter().all(|end| !contact.overlaps(end, 0.0));

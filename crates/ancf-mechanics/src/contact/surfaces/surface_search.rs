@@ -238,6 +238,7 @@ impl<T: SurfaceTarget> SurfaceContacts<T> {
                 let relative = net.map(|(a, b)| (moved - (b - a)).norm()).fold(0.0, f64::max);
                 let count = (relative / (SPACING * radii)).ceil();
                 if count > MAX_SAMPLES {
+                    // Too many states to check: the point counts as passed through the surface.
                     visit(i, 1.0, [f64::INFINITY, 0.0, f64::INFINITY]);
                     continue;
                 }

@@ -1,6 +1,7 @@
 use crate::equations::{ActivePair, EquationsOfMotion, State, Weights};
 use crate::factor::Factor;
 use crate::newton::{SolveError, SolveFailure};
+use crate::sparse::SparseMatrix;
 
 /// Contacts that open or close within a step.
 ///
@@ -16,8 +17,7 @@ pub(super) struct ContactChanges<E> {
     /// Equations without the pairs that change, and those with all pairs that act in the middle and in passing.
     without: E,
     between: Vec<(f64, State, Option<E>)>,
-    factor: Factor,
-    matrix: crate::sparse::SparseMatrix,
+    matrix: SparseMatrix,
 }
 
 impl<E: EquationsOfMotion> ContactChanges<E> {
@@ -43,9 +43,7 @@ impl<E: EquationsOfMotion> ContactChanges<E> {
             return Ok(None);
         }
         let Some((without, matrix)) = eom.with_pairs(&lasting) else { return Ok(None) };
-        let failed = |failure| SolveError::at(to.t, failure);
-        let factor = Factor::new(matrix.pattern()).map_err(|_| failed(SolveFailure::Memory))?;
-        Ok(Some(Self { without, between, factor, matrix }))
+        Ok(Some(Self { without, between, matrix }))
     }
 
     /// Calls `visit` with the acceleration x of each force change.
@@ -64,14 +62,8 @@ impl<E: EquationsOfMotion> ContactChanges<E> {
             changes.push(difference(&self.forces(extended.as_ref().unwrap_or(eom), state), &line));
         }
         self.without.tangent(to, w, &mut self.matrix);
-        let singular = |_| SolveError::at(to.t, SolveFailure::Singular);
-        self.factor.factorise(&self.matrix).map_err(singular)?;
-        for change in &mut changes {
-            change[n..].fill(0.0);
-            self.factor.solve(&self.matrix, change).map_err(singular)?;
-            visit(&change[..n]);
-        }
-        Ok(())
+        changes.iter_mut().for_each(|change| change.truncate(n));
+        unfiltered_accelerations(&self.matrix, to, changes, &mut visit)
     }
 
     /// Returns the forces of the pairs that change.
@@ -82,6 +74,26 @@ impl<E: EquationsOfMotion> ContactChanges<E> {
         self.without.residual(s, &mut others);
         difference(&all, &others)
     }
+}
+
+/// Calls `visit` with the accelerations by force changes at a state, with an iteration matrix that does not contain their
+/// terms.
+pub(super) fn unfiltered_accelerations(
+    matrix: &SparseMatrix,
+    s: &State,
+    changes: impl IntoIterator<Item = Vec<f64>>,
+    visit: &mut impl FnMut(&[f64]),
+) -> Result<(), SolveError> {
+    let failed = |failure| SolveError::at(s.t, failure);
+    let mut factor = Factor::new(matrix.pattern()).map_err(|_| failed(SolveFailure::Memory))?;
+    factor.factorise(matrix).map_err(|_| failed(SolveFailure::Singular))?;
+    let n = s.q.len();
+    for mut x in changes {
+        x.resize(n + s.lambda.len(), 0.0);
+        factor.solve(matrix, &mut x).map_err(|_| failed(SolveFailure::Singular))?;
+        visit(&x[..n]);
+    }
+    Ok(())
 }
 
 fn difference(a: &[f64], b: &[f64]) -> Vec<f64> {

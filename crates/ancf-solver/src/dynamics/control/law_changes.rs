@@ -1,7 +1,6 @@
-use super::contact_changes::middle;
+use super::contact_changes::{middle, unfiltered_accelerations};
 use crate::equations::{EquationsOfMotion, State, Weights};
-use crate::factor::Factor;
-use crate::newton::{SolveError, SolveFailure};
+use crate::newton::SolveError;
 use crate::sparse::SparseMatrix;
 
 /// Calls `visit` with the accelerations x by force changes of laws with kinks, such as stops and ropes, within a step.
@@ -19,18 +18,12 @@ pub(super) fn law_accelerations<E: EquationsOfMotion>(
     matrix: &SparseMatrix,
     mut visit: impl FnMut(&[f64]),
 ) -> Result<(), SolveError> {
+    if !eom.has_kinks() {
+        return Ok(());
+    }
     let Some(changes) = eom.law_changes(from, &middle(from, to), to) else { return Ok(()) };
     let mut matrix = matrix.clone();
     eom.tangent(to, w, &mut matrix);
     eom.add_tangents(&changes.terms, to, Weights { q: -w.q, v: -w.v, a: -w.a }, &mut matrix);
-    let failed = |failure| SolveError::at(to.t, failure);
-    let mut factor = Factor::new(matrix.pattern()).map_err(|_| failed(SolveFailure::Memory))?;
-    factor.factorise(&matrix).map_err(|_| failed(SolveFailure::Singular))?;
-    let n = to.q.len();
-    for mut x in changes.forces {
-        x.resize(n + to.lambda.len(), 0.0);
-        factor.solve(&matrix, &mut x).map_err(|_| failed(SolveFailure::Singular))?;
-        visit(&x[..n]);
-    }
-    Ok(())
+    unfiltered_accelerations(&matrix, to, changes.forces, &mut visit)
 }

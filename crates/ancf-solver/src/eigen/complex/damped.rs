@@ -143,7 +143,7 @@ pub fn damped_modes(
 
 /// Returns a rate for the shift of a system without stiffness: that of its damping relative to the mass.
 fn rate_without_stiffness(eom: &dyn EquationsOfMotion, matrix: &SparseMatrix, s: &State) -> f64 {
-    let weights = Weights { q: 0.0, v: 1.0, a: 0.0 };
+    let weights = Weights::DAMPING;
     let [own, skew] = largest_ratios(eom, matrix, s, weights, &eom.skew_damping(s));
     let rate = own.max(skew);
     if rate > 0.0 { SHIFT * rate } else { 1.0 }

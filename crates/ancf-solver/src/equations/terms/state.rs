@@ -168,6 +168,8 @@ pub struct Weights {
 impl Weights {
     /// Weights for unknown coordinates: the tangent is the stiffness matrix.
     pub const STIFFNESS: Self = Self { q: 1.0, v: 0.0, a: 0.0 };
+    /// Weights for unknown velocities at fixed q: the tangent is the damping matrix.
+    pub const DAMPING: Self = Self { q: 0.0, v: 1.0, a: 0.0 };
     /// Weights for unknown accelerations at fixed q and v: the tangent is the mass matrix.
     pub const MASS: Self = Self { q: 0.0, v: 0.0, a: 1.0 };
 

@@ -33,7 +33,7 @@ impl AnalysisRun<'_> {
                 .map_or((system, system.matrix()), |(system, matrix)| (system, matrix.clone()));
             let found = damped_modes(system, matrix.clone(), &s, count, self.interrupt)?;
             let mut damping = matrix;
-            system.tangent(&s, Weights { q: 0.0, v: 1.0, a: 0.0 }, &mut damping);
+            system.tangent(&s, Weights::DAMPING, &mut damping);
             let kinks = Kinks::new(system, &s);
             let is_smooth = |mode: &DampedMode| {
                 is_differentiable(system, &damping, &s, mode) && !mode.shape.iter().any(|x| kinks.has_kink(x))

@@ -3,7 +3,7 @@
 import { bodyRadius } from "../scene/geometry";
 import type { Body, Grid, Scene } from "../scene/scene";
 import { creases } from "./creases";
-import { box, cap, isPolygon, type MeshTemplate, shell, sphere, triangles, tube } from "./templates";
+import { box, cap, isPolygon, type MeshTemplate, shell, sphere, triangles, wall } from "./templates";
 
 /** Numbers per instance: station, body, radius, scale factors at the start (3) and at the end (3). */
 export const STRIDE = 9;
@@ -113,21 +113,32 @@ function addSwept(lists: InstanceLists, body: Body, number: number, step: number
   const radius = bodyRadius(body);
   const outline = coarsened(body.outline, step);
   const inner = body.inner && coarsened(body.inner, step);
-  const key = JSON.stringify([outline, inner]);
-  const walls = lists.get(`tube ${key}`, () => tube(outline, inner));
-  for (let i = 0; i + 1 < body.count; i++) {
-    walls.add(body.first + i, number, radius, sectionScale(body, i), sectionScale(body, i + 1));
-  }
+  const addWalls = (points: number[][], sign: number, scale: typeof sectionScale) => {
+    const walls = lists.get(`wall ${sign} ${JSON.stringify(points)}`, () => wall(points, sign));
+    for (let i = 0; i + 1 < body.count; i++) {
+      walls.add(body.first + i, number, radius, scale(body, i), scale(body, i + 1));
+    }
+  };
+  addWalls(outline, 1, sectionScale);
+  if (inner) addWalls(inner, -1, boreScale);
   const last = body.count - 1;
   for (const [i, side] of [[0, -1] as const, [last, 1] as const]) {
-    const caps = lists.get(`cap ${side} ${key}`, () => cap(outline, inner, side));
-    caps.add(body.first + i, number, radius, sectionScale(body, i), sectionScale(body, i));
+    const [scale, bore] = [sectionScale(body, i), boreScale(body, i)];
+    const hole = inner?.map(([y, z]) => [(y * bore[1]) / scale[1], (z * bore[2]) / scale[2]]) ?? null;
+    const key = JSON.stringify([outline, hole]);
+    const caps = lists.get(`cap ${side} ${key}`, () => cap(outline, hole, side));
+    caps.add(body.first + i, number, radius, scale, scale);
   }
 }
 
 /** Scale factors of the section at a station, along d1, d2, d3. */
 function sectionScale(body: Body, i: number): [number, number, number] {
   return body.scale ? [1, body.scale[2 * i], body.scale[2 * i + 1]] : [1, 1, 1];
+}
+
+/** Scale factors of the bore at a station, along d1, d2, d3. */
+function boreScale(body: Body, i: number): [number, number, number] {
+  return body.bore ? [1, body.bore[i], body.bore[i]] : [1, 1, 1];
 }
 
 /** Step between the outline points that are drawn, from the number of vertices. */

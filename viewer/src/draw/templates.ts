@@ -21,23 +21,6 @@ function empty(): MeshTemplate {
   return { isLines: false, local: [], normal: [], end: [], face: [], index: [] };
 }
 
-function merge(a: MeshTemplate, b: MeshTemplate): MeshTemplate {
-  const offset = a.end.length;
-  return {
-    isLines: a.isLines,
-    local: [...a.local, ...b.local],
-    normal: [...a.normal, ...b.normal],
-    end: [...a.end, ...b.end],
-    face: [...a.face, ...b.face],
-    index: [...a.index, ...b.index.map((i) => i + offset)],
-  };
-}
-
-/** Walls between two stations, of the outline and of the bore. */
-export function tube(outline: number[][], inner: number[][] | null): MeshTemplate {
-  return merge(wall(outline, 1), inner ? wall(inner, -1) : empty());
-}
-
 /** True if an outline has corners, which are pairs of points at one place. */
 export function isPolygon(outline: number[][]): boolean {
   const n = outline.length;
@@ -47,7 +30,7 @@ export function isPolygon(outline: number[][]): boolean {
 }
 
 /** Wall between two stations; `sign` is -1 for a bore, whose normals point inwards. */
-function wall(outline: number[][], sign: number): MeshTemplate {
+export function wall(outline: number[][], sign: number): MeshTemplate {
   const template = empty();
   const n = outline.length;
   for (const end of [0, 1]) {

@@ -46,6 +46,7 @@ export function checkArrays(scene: Scene): void {
       throw damaged(`the grid of the body ${body.name} lacks stations`);
     }
     if (body.scale) checkLength(body.scale, 2 * body.count, `scale of ${body.name}`);
+    if (body.bore) checkLength(body.bore, body.count, `bore of ${body.name}`);
     if (body.surface) {
       const { points, normals, corners } = body.surface;
       checkLength(normals, points.length, `surface of ${body.name}`);

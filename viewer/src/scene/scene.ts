@@ -23,7 +23,10 @@ export interface Body {
   count: number;
   outline: number[][];
   inner: number[][] | null;
+  /** Factors of y and z of the outline at each station of a tapered body. */
   scale: Numbers | null;
+  /** Factor of the bore at each station of a tapered tube. */
+  bore?: Numbers | null;
   grid?: Grid | null;
   nodes: number[];
   box: Vector | null;

@@ -319,3 +319,18 @@ fn expected_sizes_are_those_of_the_files() {
         }
     }
 }
+
+/// A motion of few rows has no more states than rows.
+#[test]
+fn expected_states_are_at_most_the_rows() {
+    let folder = RunFolder::new();
+    let size = |duration: &str| {
+        let model = ancf::Model::read(folder.cantilever("duration = 2.0", duration)).unwrap();
+        let simulation = ancf::Simulation::new(&model).unwrap();
+        let folder = ancf_results::Folder::new(folder.out());
+        ancf_results::Recorder::new(folder, "", "", &model, &simulation).expected_size(&model)
+    };
+    let (long, short) = (size("duration = 2.0"), size("duration = 0.005"));
+    assert_near(&[long.rows, short.rows], &[2001.0, 6.0], 0.0);
+    assert_near(&[long.states / short.states], &[200.0 / 6.0], 1e-9);
+}

@@ -14,18 +14,22 @@ const SAMPLES: usize = 64;
 /// Largest number of groups of steps.
 const GROUPS: usize = 20_000;
 /// Largest numbers of parts in the search for switches, and of switches.
-const PARTS: usize = 100_000;
+const PARTS: usize = 1_000_000;
 const SWITCHES: usize = 10_000;
+/// Largest interval of a switch, a multiple of the smallest part: beyond it rates are not bounded over an interval.
+const WIDEST: f64 = 1000.0;
 /// Largest jump that counts as rounding, relative to the value and the rates times the duration.
 const CONTINUOUS: f64 = 1e-9;
+/// Smallest jump of a value between adjacent times, relative to the value and its rate times the duration.
+const JUMP: f64 = 1e-12;
 /// Smallest part in the search for switches, relative to the duration.
 const SMALLEST: f64 = 1e-13;
 
 impl Function {
     /// Returns a variation that steps of a fixed size do not resolve, if there is one: a pulse within a step, or a
-    /// vibration with less than about four steps per period.
+    /// vibration with less than about four steps per period. Steps end at the [switches](Self::switches) of formulas.
     ///
-    /// Its deviation is that beyond the values at both ends of a step, so a single jump has no effect. Groups of steps are
+    /// Its deviation is that beyond the values at both ends of a step. Groups of steps are
     /// enclosed by interval arithmetic, so no pulse is missed. User-defined functions are not examined.
     pub fn unresolved_variation(&self, [start, duration]: [f64; 2], step: f64) -> Option<Variation> {
         if !self.may_vary_unseen() || matches!(self, Self::External { .. }) {
@@ -41,6 +45,7 @@ impl Function {
         let sample = |i| start + duration * i as f64 / SAMPLES as f64;
         (1..=SAMPLES).for_each(|i| include(&mut range, self.value(sample(i))));
         let time = |i: u64| start + (i as f64 * step).min(duration);
+        let switches = self.switches(start + duration);
         let group = |first: u64, end: u64| {
             let bounds = self.bounds(time(first), time(end));
             let bent = 0.125 * step * step * bounds.acceleration.magnitude();
@@ -60,10 +65,13 @@ impl Function {
                 let middle = first + length / 2;
                 include(&mut range, self.value(time(middle)));
                 groups.extend([group(first, middle), group(middle, end)]);
-            } else if let Some(variation) = self.unseen_variation(time(first), time(end), step) {
+                continue;
+            }
+            for [from, to] in parts([time(first), time(end)], &switches) {
+                let Some(variation) = self.unseen_variation(from, to, step) else { continue };
                 let value = self.value(variation.at);
                 include(&mut range, value);
-                let ends = Interval::between(self.value(time(first)), self.value(time(end)));
+                let ends = Interval::between(self.value(from), self.value(to));
                 let beyond = (value - ends.upper).max(ends.lower - value);
                 if beyond > limit(&range) {
                     return Some(Variation { deviation: beyond, ..variation });
@@ -71,6 +79,15 @@ impl Function {
             }
         }
         None
+    }
+
+    /// True if a formula jumps within a duration.
+    pub fn jumps(&self, duration: f64) -> bool {
+        self.switches(duration).into_iter().any(|t| {
+            let [left, right] = [t.next_down(), t].map(|t| self.at(t));
+            let size = |f: &FunctionValue| f.value.abs() + duration * f.rate.abs();
+            (right.value - left.value).abs() > JUMP * size(&left).max(size(&right))
+        })
     }
 
     /// Returns the times up to a duration at which a formula may jump or have a kink, in ascending order: those of
@@ -81,8 +98,8 @@ impl Function {
     /// thousand of them, or with unbounded rates over a whole interval, has none.
     pub fn switches(&self, duration: f64) -> Vec<f64> {
         let mut zones: Vec<(f64, f64)> = Vec::new();
-        let mut parts =
-            if matches!(self, Self::Expression { .. }) { vec![(0.0, duration)] } else { Vec::new() };
+        let is_searched = matches!(self, Self::Expression { .. }) && duration.is_finite() && duration > 0.0;
+        let mut parts = if is_searched { vec![(0.0, duration)] } else { Vec::new() };
         let smallest = SMALLEST * duration;
         let mut count = 0;
         while let Some((a, b)) = parts.pop() {
@@ -99,6 +116,7 @@ impl Function {
                 continue;
             }
             match zones.last_mut().filter(|zone| a - zone.1 <= smallest) {
+                Some(zone) if b - zone.0 > WIDEST * smallest => return Vec::new(),
                 Some(zone) => zone.1 = b,
                 None => zones.push((a, b)),
             }
@@ -106,8 +124,12 @@ impl Function {
         zones.into_iter().filter_map(|zone| self.switch_in(zone, duration)).collect()
     }
 
-    /// Returns the first time after a switch, to the last digit, or `None` if value and rates are continuous there.
+    /// Returns the first time after a switch, to the last digit, or `None` if value and rates are continuous there, or if the
+    /// value ceases to be finite.
     fn switch_in(&self, (mut a, mut b): (f64, f64), duration: f64) -> Option<f64> {
+        if !self.value(b).is_finite() {
+            return None;
+        }
         let scaled = |f: FunctionValue| [f.value, f.rate * duration, f.acceleration * duration.powi(2)];
         let (left, right) = (scaled(self.at(a)), scaled(self.at(b)));
         let sizes = left.iter().chain(&right).map(|x| x.abs()).filter(|x| x.is_finite());
@@ -128,4 +150,11 @@ impl Function {
             if is_right { b = middle } else { a = middle }
         }
     }
+}
+
+/// Parts of an interval between switches. A part ends just before a switch.
+fn parts([from, to]: [f64; 2], switches: &[f64]) -> impl Iterator<Item = [f64; 2]> + '_ {
+    let inner = &switches[switches.partition_point(|t| *t <= from)..switches.partition_point(|t| *t <= to)];
+    let starts = std::iter::once(from).chain(inner.iter().copied());
+    starts.zip(inner.iter().map(|t| t.next_down()).chain([to])).map(Into::into)
 }

@@ -100,9 +100,7 @@ impl SectionStress {
         if !self.outline.is_round {
             return 1.5;
         }
-        let radius = |points: &[[f64; 4]]| points.first().map_or(0.0, |&[y, z, ..]| y.hypot(z));
-        let bore = self.outline.inner.as_deref().map_or(0.0, radius);
-        let m = bore / radius(&self.outline.outer);
+        let m = self.outline.bore() / self.outline.half_extents[0];
         4.0 / 3.0 * (1.0 + m + m * m) / (1.0 + m * m)
     }
 }

@@ -94,6 +94,8 @@ pub struct BodyShape {
     pub outline: Option<Outline>,
     /// Factors of y and z of the outline at each station of a tapered body.
     pub scale: Option<Vec<[f64; 2]>>,
+    /// Factor of the bore at each station of a tapered tube.
+    pub bore: Option<Vec<[f64; 1]>>,
     /// Grid of the stations of a shell.
     pub grid: Option<SurfaceGrid>,
     /// Stations at nodes of the mesh, counted from the first station of the body.
@@ -138,7 +140,8 @@ impl BodyShape {
             name: body.name().to_owned(),
             kind: BodyKind::of(body),
             stations,
-            scale: outline.as_ref().and_then(|outline| taper(model, body, outline, count)),
+            scale: taper(model, body, count, |outline| outline.half_extents),
+            bore: taper(model, body, count, |outline| [outline.bore()]),
             outline,
             grid: grid(body, parts),
             nodes: nodes(body, parts, count),
@@ -161,21 +164,32 @@ impl BodyShape {
         self
     }
 
+    /// Factor of the bore of a tube at a station, counted from the first station of the body.
+    pub fn bore_at(&self, station: usize) -> f64 {
+        self.bore.as_ref().and_then(|bore| bore.get(station)).map_or(1.0, |[factor]| *factor)
+    }
+
     /// Factors of y and z, or of the thickness, at a station, counted from the first station of the body.
     pub fn scale_at(&self, station: usize) -> [f64; 2] {
         self.scale.as_ref().and_then(|scale| scale.get(station).copied()).unwrap_or([1.0; 2])
     }
 }
 
-/// Factors of y and z at the stations of a body with two different sections.
-fn taper(model: &Model, body: &Body, start: &Outline, count: usize) -> Option<Vec<[f64; 2]>> {
-    let half_extents = |fraction| Some(outline_at(model, body, fraction, SIDES)?.half_extents);
-    if half_extents(1.0)? == start.half_extents {
+/// Sizes of the section at the stations of a body, relative to the first one; `None` if they are equal.
+fn taper<const N: usize>(
+    model: &Model,
+    body: &Body,
+    count: usize,
+    sizes: impl Fn(&Outline) -> [f64; N],
+) -> Option<Vec<[f64; N]>> {
+    let sizes = |fraction| Some(sizes(&outline_at(model, body, fraction, SIDES)?));
+    let start = sizes(0.0)?;
+    if sizes(1.0)? == start {
         return None;
     }
-    let at = |k: usize| -> Option<[f64; 2]> {
-        let half = half_extents(k as f64 / (count - 1).max(1) as f64)?;
-        Some([half[0] / start.half_extents[0], half[1] / start.half_extents[1]])
+    let at = |k: usize| -> Option<[f64; N]> {
+        let own = sizes(k as f64 / (count - 1).max(1) as f64)?;
+        Some(std::array::from_fn(|i| own[i] / start[i]))
     };
     (0..count).map(at).collect()
 }

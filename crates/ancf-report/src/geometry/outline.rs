@@ -82,6 +82,11 @@ pub fn outline_at(model: &Model, body: &Body, fraction: f64, sides: usize) -> Op
 }
 
 impl Outline {
+    /// Radius of the bore of a tube; 0 of other sections.
+    pub fn bore(&self) -> f64 {
+        self.inner.as_deref().and_then(|inner| inner.first()).map_or(0.0, |&[y, z, ..]| y.hypot(z))
+    }
+
     /// Returns the sides of the outer outline as pairs of point numbers; sides of the bore have the same numbers.
     pub fn edges(&self) -> Vec<[usize; 2]> {
         let count = self.outer.len();

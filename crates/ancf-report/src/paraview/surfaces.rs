@@ -52,7 +52,7 @@ impl Mesh {
     fn sweep(&mut self, number: usize, shape: &BodyShape, outline: &Outline) {
         let rings = shape.stations.len();
         let ends = [0, rings.saturating_sub(1)];
-        let (outer, sides) = self.rings(shape, &outline.outer);
+        let (outer, sides) = self.rings(shape, &outline.outer, |k| shape.scale_at(k));
         self.wall(number, outer, sides, rings, false);
         let Some(inner) = &outline.inner else {
             let [start, end] = ends.map(|k| outer + k * sides..outer + (k + 1) * sides);
@@ -61,7 +61,7 @@ impl Mesh {
             return;
         };
         // Both outlines of a tube have the same number of points, so that quads close the ring between them.
-        let (inner, sides) = self.rings(shape, inner);
+        let (inner, sides) = self.rings(shape, inner, |k| [shape.bore_at(k); 2]);
         self.wall(number, inner, sides, rings, true);
         for (k, reversed) in ends.into_iter().zip([true, false]) {
             let (outer, inner) = (outer + k * sides, inner + k * sides);
@@ -72,12 +72,18 @@ impl Mesh {
         }
     }
 
-    /// Adds the points of an outline at each station. Returns the index of the first point and the number of points per station.
-    fn rings(&mut self, shape: &BodyShape, outline: &[[f64; 4]]) -> (usize, usize) {
+    /// Adds the points of an outline at each station with its factors of y and z. Returns the index of the first point and the
+    /// number of points per station.
+    fn rings(
+        &mut self,
+        shape: &BodyShape,
+        outline: &[[f64; 4]],
+        scale: impl Fn(usize) -> [f64; 2],
+    ) -> (usize, usize) {
         let corners = corners(outline);
         let first = self.points.len();
         for (k, station) in shape.stations.clone().enumerate() {
-            let [sy, sz] = shape.scale_at(k);
+            let [sy, sz] = scale(k);
             let at = |[y, z]: &[f64; 2]| Point { station, arm: [0.0, y * sy, z * sz] };
             self.points.extend(corners.iter().map(at));
         }

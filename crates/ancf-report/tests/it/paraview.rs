@@ -222,6 +222,36 @@ fn tapers_are_closed_and_hold_their_volumes() {
     assert!((grid.volume(0) / (2.0 * 0.5 * (2e-4 + 1e-4)) - 1.0).abs() < 1e-12);
 }
 
+/// A tube whose outer and inner diameters change by different factors: ∫ π (R² − r²) ds with linear radii.
+#[test]
+fn tapered_tubes_hold_their_volumes() {
+    for [outer, inner] in [[0.05, 0.03], [0.1, 0.04], [0.05, 0.08 * 0.5]] {
+        let text = format!(
+            r#"
+            materials.s = {{ density = 7850, young = 2.1e11 }}
+            sections.a = {{ kind = "tube", outer = 0.1, inner = 0.08 }}
+            sections.b = {{ kind = "tube", outer = {outer}, inner = {inner} }}
+            bodies = [{{ kind = "beam", name = "b", from = [0, 0, 0], to = [1, 0, 0], up = [0, 1, 0], elements = 4, section = "a", section_end = "b", material = "s" }}]
+            joints = [{{ kind = "clamp", name = "c", a = {{ body = "b", at = "start" }} }}]
+            analysis = {{ kind = "statics" }}
+            "#
+        );
+        let mut run = Run::of(&text, 1);
+        run.frames = vec![Snapshot { value: 0.0, state: run.simulation.assembly().initial() }];
+        let (_, grid) = &written(&run, "sections")[0];
+        assert!(grid.is_closed());
+        let cone = |a: f64, b: f64| (a * a + a * b + b * b) / 12.0;
+        // A regular polygon of 24 sides in a circle.
+        let polygon = 12.0 * (std::f64::consts::TAU / 24.0).sin();
+        let volume = polygon * (cone(0.1, outer) - cone(0.08, inner));
+        assert!(
+            (grid.volume(0) / volume - 1.0).abs() < 1e-5,
+            "{outer}, {inner}: {}, not {volume}",
+            grid.volume(0)
+        );
+    }
+}
+
 /// σ = N/A − M y/I on the surface, with M from the equilibrium of the remaining part in the deformed state.
 #[test]
 fn stress_on_the_skin_is_that_of_bending() {

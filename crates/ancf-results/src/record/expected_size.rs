@@ -33,6 +33,8 @@ impl ExpectedSize {
         };
         let instants = output.interval.or(step).map_or(0.0, |interval| settings.duration / interval);
         let rows = (instants / f64::from(output.every)).ceil() + 1.0;
+        // There are not more states than rows, whose number is unknown if it depends on the sizes of the steps.
+        let states = if instants > 0.0 { states.min(rows) } else { states };
         let numbers = rows * columns as f64;
         let of = |is_written: bool, bytes: f64| if is_written { bytes } else { 0.0 };
         Self {
@@ -53,16 +55,17 @@ impl ExpectedSize {
 impl fmt::Display for ExpectedSize {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { rows, columns, csv, states, .. } = self;
+        let is_large = |bytes: f64| bytes > 0.1 * self.total();
         let size = |bytes: f64| {
             if bytes < 1e9 { format!("{:.0} MB", bytes / 1e6) } else { format!("{:.1} GB", bytes / 1e9) }
         };
         write!(f, "the results will have about {}: {rows} rows of {columns} columns", size(self.total()))?;
         write!(f, "; `output.every` or `output.interval` records fewer rows")?;
-        if *csv > 0.0 {
+        if is_large(*csv) {
             write!(f, ", and `output.csv = false` omits the text file of {}", size(*csv))?;
         }
-        if *states > 0.5 * self.total() {
-            write!(f, "; the states have {}, and `output.states` fewer", size(*states))?;
+        if is_large(*states) {
+            write!(f, "; the states have {}; `output.states` records fewer", size(*states))?;
         }
         Ok(())
     }

@@ -50,9 +50,9 @@ impl TimeFunctions for StepFunctions {
 }
 
 impl Inputs {
-    /// Times at which formulas may jump or have a kink.
-    pub(crate) fn switches(&self, duration: f64) -> impl Iterator<Item = f64> + '_ {
-        self.functions().flat_map(move |function| function.switches(duration))
+    /// Times up to a time at which formulas jump or have a kink.
+    pub(crate) fn switches(&self, until: f64) -> impl Iterator<Item = f64> + '_ {
+        self.functions().flat_map(move |function| function.switches(until))
     }
 
     /// Functions of time, and force laws as such.
@@ -105,11 +105,15 @@ impl IndexedModel<'_> {
 }
 
 impl Model {
-    /// Breaks of all functions of time, in ascending order.
+    /// Breaks of all functions of time, in ascending order: points of tables, and jumps and kinks of formulas in the duration of a
+    /// motion.
     pub(crate) fn breaks(&self, time_mode: TimeMode) -> Vec<f64> {
-        let functions = self.time_functions().into_iter();
+        let until = self.end_time();
+        let functions = self.time_functions().into_iter().map(|(_, time)| time_mode.function(time));
+        let switches = |function: &Function| function.switches(until);
         let mut breaks: Vec<f64> =
-            functions.flat_map(|(_, time)| time_mode.function(time).breaks()).collect();
+            functions.flat_map(|function| [function.breaks(), switches(&function)].concat()).collect();
+        breaks.extend(self.laws_of_time().flat_map(|(_, law)| switches(&law)));
         breaks.sort_unstable_by(f64::total_cmp);
         breaks.dedup();
         breaks

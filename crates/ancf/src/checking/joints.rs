@@ -150,7 +150,7 @@ fn rule_of_drive(
         [Some(amount), None] => {
             let function = drive.time.compile().ok()?;
             let key = format!("{path}.time");
-            if drive.time.jumps() {
+            if drive.time.jumps(model.end_time()) {
                 return Some(finding(key, "a function that jumps", "a continuous function"));
             }
             let start = amount * function.value(0.0);

@@ -2,7 +2,7 @@
 
 use super::findings::unknown_body;
 use crate::errors::{Finding, finding, number, quoted};
-use crate::model::{About, Analysis, IndexedModel, Load, Probe, Quantity, TimeFunction, loads_of};
+use crate::model::{About, Analysis, IndexedModel, Load, Probe, Quantity, loads_of};
 
 /// Checks that named bodies exist, and the checks of the kinds of loads.
 pub(crate) fn kinds(model: &IndexedModel<'_>) -> Vec<Finding> {
@@ -94,7 +94,7 @@ pub(crate) fn bases(model: &IndexedModel<'_>) -> Vec<Finding> {
     let jump = |(path, load): (String, &Load)| {
         let jumps = is_motion
             && matches!(load, Load::BaseRotation(_))
-            && load.time().is_some_and(TimeFunction::jumps);
+            && load.time().is_some_and(|time| time.jumps(model.end_time()));
         let found = "a jump of the angular velocity of the ground, whose impulse the forces lack";
         jumps.then(|| finding(format!("{path}.time"), found, "a continuous function, such as a short ramp"))
     };

@@ -74,7 +74,7 @@ impl JointKind for Distance {
 
     fn check(&self, path: &str, context: &dyn JointContext) -> Vec<Finding> {
         let key = format!("{path}.time");
-        if self.change != 0.0 && self.time.jumps() {
+        if self.change != 0.0 && self.time.jumps(context.end_time()) {
             return vec![finding(key, "a function that jumps", "a continuous function")];
         }
         let start = self.change * self.time.compile().map_or(0.0, |function| function.value(0.0));

@@ -123,7 +123,7 @@ impl JointKind for DrivenClamp {
         let start = self.time.compile().map_or(0.0, |function| function.value(0.0));
         let angle = if self.axis.is_some() { self.angle * start } else { 0.0 };
         let displacement = Vector3::from(self.displacement).norm() * start;
-        if self.time.jumps() {
+        if self.time.jumps(context.end_time()) {
             return vec![finding(key, "a function that jumps", "a continuous function")];
         }
         let nonzero = |found: String, own: &str| {

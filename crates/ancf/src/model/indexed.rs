@@ -186,6 +186,10 @@ impl JointContext for IndexedModel<'_> {
     fn starts_undeformed(&self) -> bool {
         Model::starts_undeformed(self)
     }
+
+    fn end_time(&self) -> f64 {
+        Model::end_time(self)
+    }
 }
 
 impl LoadContext for IndexedModel<'_> {

@@ -27,6 +27,11 @@ impl Model {
         self.bodies.iter().any(Body::is_shell)
     }
 
+    /// Time at the end of a motion; 0 of other analyses.
+    pub(crate) fn end_time(&self) -> f64 {
+        self.analysis.dynamics().map_or(0.0, |dynamics| self.initial.start_time + dynamics.duration)
+    }
+
     /// Total mass of all bodies.
     pub fn mass(&self) -> f64 {
         let mass = |body: &Body| match body {

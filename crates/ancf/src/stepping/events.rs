@@ -3,13 +3,13 @@ use serde::{Deserialize, Serialize};
 
 use crate::assembly::Assembly;
 
-/// Times at which loads, drives or their rates jump, in solver units. Steps end there.
+/// Times at which loads, drives or their rates jump, in solver units: points of tables, and switches of formulas. Steps end there.
 #[derive(Debug)]
 pub(super) struct Events {
     /// Times in ascending order.
     times: Vec<f64>,
-    /// Time up to which the switches of formulas are known; `None` if steps do not end at switches.
-    known: Option<f64>,
+    /// Time up to which the switches of formulas are known.
+    known: f64,
     passed: PassedEvents,
     /// Tolerance within which two times are equal.
     tolerance: f64,
@@ -26,32 +26,19 @@ impl PassedEvents {
 }
 
 impl Events {
-    /// Creates the events of an analysis. With error control, steps end at the switches of formulas too.
-    pub(super) fn new(
-        assembly: &Assembly,
-        [start, end]: [f64; 2],
-        is_adaptive: bool,
-        tolerance: f64,
-    ) -> Self {
-        let mut events = Self {
-            times: assembly.breaks().to_vec(),
-            known: None,
-            passed: PassedEvents(start + tolerance),
-            tolerance,
-        };
-        if is_adaptive {
-            events.extend(assembly, end);
-        }
-        events
+    /// Creates the events of an analysis.
+    pub(super) fn new(assembly: &Assembly, [start, end]: [f64; 2], tolerance: f64) -> Self {
+        let (times, passed) = (assembly.breaks().to_vec(), PassedEvents(start + tolerance));
+        Self { times, known: end, passed, tolerance }
     }
 
     /// Adds the switches of formulas up to a time.
     fn extend(&mut self, assembly: &Assembly, until: f64) {
-        let known = self.known.unwrap_or(0.0);
+        let known = self.known;
         self.times.extend(assembly.inputs.switches(until).filter(|t| *t > known));
         self.times.sort_unstable_by(f64::total_cmp);
         self.times.dedup_by(|a, b| (*a - *b).abs() <= self.tolerance);
-        self.known = Some(until);
+        self.known = until;
     }
 
     /// Returns the next event after a time and up to another one: an own one, or the end of a transition of an input.
@@ -61,8 +48,8 @@ impl Events {
         inputs: &[InputSignal],
         [now, until]: [f64; 2],
     ) -> Option<f64> {
-        if let Some(known) = self.known.filter(|known| until > *known) {
-            self.extend(assembly, until.max(2.0 * known));
+        if until > self.known {
+            self.extend(assembly, until.max(2.0 * self.known));
         }
         let passed = self.passed.0.max(now);
         let own = self.times.get(self.times.partition_point(|t| *t <= passed)).copied();

@@ -46,7 +46,7 @@ impl Stepper {
         let adaptive = error_control(scaled, &settings, assembly, &dynamics);
         let tolerance = TIME_TOLERANCE * settings.step.fixed().unwrap_or(settings.duration);
         let start = dynamics.state().t;
-        let events = Events::new(assembly, [start, start + settings.duration], adaptive.is_some(), tolerance);
+        let events = Events::new(assembly, [start, start + settings.duration], tolerance);
         let s = dynamics.state();
         rows.count_turns(s.t, s, AngleRates::Velocities);
         let monitors = Monitors {

@@ -31,7 +31,7 @@ impl<E: EquationsOfMotion> ContactChanges<E> {
         let mut is_changed = before != after;
         let mut between = Vec::new();
         let passing = eom.passing(from, to).map(|part| (part, on_line(from, to, part)));
-        for (part, state) in [(0.5, middle(from, to))].into_iter().chain(passing) {
+        for (part, state) in [(0.5, State::middle_of_step(from, to))].into_iter().chain(passing) {
             let extended = eom.with_active_terms(&state).map(|(extended, _)| extended);
             let acting = extended.as_ref().unwrap_or(eom).acting_pairs(&state).unwrap_or_default();
             if acting.iter().any(|pair| lasting.binary_search(pair).is_err()) {
@@ -98,17 +98,6 @@ pub(super) fn unfiltered_accelerations(
 
 fn difference(a: &[f64], b: &[f64]) -> Vec<f64> {
     a.iter().zip(b).map(|(a, b)| a - b).collect()
-}
-
-/// Returns the middle of a step on cubic polynomials through positions and velocities of both ends.
-pub(super) fn middle(from: &State, to: &State) -> State {
-    let (mut s, h) = (to.clone(), to.t - from.t);
-    s.set_middle(from, to);
-    for i in 0..s.q.len() {
-        s.q[i] += 0.125 * h * (from.v[i] - to.v[i]);
-        s.v[i] = 1.5 * (to.q[i] - from.q[i]) / h - 0.25 * (from.v[i] + to.v[i]);
-    }
-    s
 }
 
 /// Returns a state on the straight line between two states.

@@ -1,4 +1,4 @@
-use super::contact_changes::{middle, unfiltered_accelerations};
+use super::contact_changes::unfiltered_accelerations;
 use crate::equations::{EquationsOfMotion, State, Weights};
 use crate::newton::SolveError;
 use crate::sparse::SparseMatrix;
@@ -21,7 +21,7 @@ pub(super) fn law_accelerations<E: EquationsOfMotion>(
     if !eom.has_kinks() {
         return Ok(());
     }
-    let Some(changes) = eom.law_changes(from, &middle(from, to), to) else { return Ok(()) };
+    let Some(changes) = eom.law_changes(from, &State::middle_of_step(from, to), to) else { return Ok(()) };
     let mut matrix = matrix.clone();
     eom.tangent(to, w, &mut matrix);
     eom.add_tangents(&changes.terms, to, Weights { q: -w.q, v: -w.v, a: -w.a }, &mut matrix);

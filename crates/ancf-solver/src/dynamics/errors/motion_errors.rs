@@ -24,6 +24,8 @@ pub struct MotionErrors {
     h: f64,
     /// False if a step of the errors had no solution.
     is_known: bool,
+    /// Number of steps in which laws with kinks are not linear.
+    kinked_steps: u64,
 }
 
 /// Errors of the mesh with the last two sets of forces, the latest first, and their times.
@@ -68,7 +70,13 @@ impl MotionErrors {
             residual: vec![0.0; n + m],
             h: 0.0,
             is_known: true,
+            kinked_steps: 0,
         }
+    }
+
+    /// Number of steps in which stops, ropes, dry friction or other laws with kinks are not linear: the errors of these steps lack it.
+    pub const fn kinked_steps(&self) -> u64 {
+        self.kinked_steps
     }
 
     /// Errors of the time steps; `None` if they are not known.
@@ -124,6 +132,9 @@ impl MotionErrors {
         let ratio = if self.h > 0.0 { h / self.h } else { 1.0 };
         self.h = h;
         self.quadrature.defect(before, now, &mut self.defect);
+        if eom.has_kinks() && eom.law_changes(before, &State::middle_of_step(before, now), now).is_some() {
+            self.kinked_steps += 1;
+        }
         eom.residual(now, &mut self.residual);
         let step = ComputedStep { h, ratio, now, residual: &self.residual, sizes: &self.sizes };
         if self.is_known {

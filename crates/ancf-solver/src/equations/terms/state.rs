@@ -149,6 +149,17 @@ impl State {
         self.lambda.copy_from_slice(&to.lambda);
         self.load = to.load;
     }
+
+    /// Returns the middle of a step on cubic polynomials through positions and velocities of both ends.
+    pub(crate) fn middle_of_step(from: &Self, to: &Self) -> Self {
+        let (mut s, h) = (to.clone(), to.t - from.t);
+        s.set_middle(from, to);
+        for i in 0..s.q.len() {
+            s.q[i] += 0.125 * h * (from.v[i] - to.v[i]);
+            s.v[i] = 1.5 * (to.q[i] - from.q[i]) / h - 0.25 * (from.v[i] + to.v[i]);
+        }
+        s
+    }
 }
 
 /// Weights dq : dv : da of an increment dz, which are also the weights of stiffness, damping and mass in the tangent.

@@ -23,6 +23,9 @@ pub struct MotionErrors {
     /// True if the errors of the mesh are orders of magnitude: loads within elements are not known in detail, elements are strongly
     /// curved, taut elements are neither rods nor strings, or shells do not converge regularly.
     pub is_rough: bool,
+    /// Number of steps in which stops, ropes, dry friction or other laws with kinks act in part, which the errors of the steps lack.
+    #[serde(default)]
+    pub kinked_steps: u64,
     /// Bound of the relative difference between the rod and the strains of the elements.
     pub law: f64,
     /// Second motion of a model with shells.
@@ -78,10 +81,15 @@ impl MotionErrors {
             Some(finer) => finer.ending(true),
             None => format!("; section law within {}", percentage(self.law)),
         };
+        let kinks = match self.kinked_steps {
+            0 => String::new(),
+            1 => " without a kink of a force law in one step".to_owned(),
+            count => format!(" without the kinks of force laws in {count} steps"),
+        };
         format!(
-            "errors of `{}`, relative to its largest displacement: time steps {}, mesh {}{ending}",
+            "errors of `{}`, relative to its largest displacement: time steps {}{kinks}, mesh {}{ending}",
             probe.probe,
-            part(self.are_steps_known, false, steps),
+            part(self.are_steps_known, self.kinked_steps > 0, steps),
             part(self.is_mesh_known, self.is_rough, mesh),
         )
     }

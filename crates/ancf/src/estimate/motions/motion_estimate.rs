@@ -64,6 +64,7 @@ impl<'a> MotionEstimate<'a> {
             are_steps_known: true,
             is_mesh_known: true,
             is_rough: false,
+            kinked_steps: 0,
             law: 0.0,
             finer: None,
             values: Vec::new(),
@@ -180,6 +181,7 @@ impl<'a> MotionEstimate<'a> {
         let of_steps =
             of_steps.map(|error| ValueErrors::in_motion(place, None, error, self.scales).evaluate().0);
         errors.are_steps_known &= of_steps.is_some();
+        errors.kinked_steps = dynamics.errors().map_or(0, |found| found.kinked_steps());
         errors.is_mesh_known &= of_mesh.is_some() || !has_mesh(self.assembly);
         let length = self.scales.unit(Dimension::LENGTH);
         let motions =

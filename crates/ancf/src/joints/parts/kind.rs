@@ -165,6 +165,9 @@ pub trait JointContext {
 
     /// True if the analysis is a motion from the undeformed state, where drives are zero.
     fn starts_undeformed(&self) -> bool;
+
+    /// Time at the end of a motion; 0 of other analyses.
+    fn end_time(&self) -> f64;
 }
 
 /// Symbol of a joint in figures.

@@ -134,11 +134,14 @@ impl TimeFunction {
         }
     }
 
-    /// True if the function has a jump. Jumps of formulas and of supplied functions are not detected.
-    pub(crate) fn jumps(&self) -> bool {
+    /// True if the function has a jump. Formulas are searched up to a time. Jumps of supplied functions are not detected.
+    pub(crate) fn jumps(&self, until: f64) -> bool {
         match self {
             Self::Varying(Varying::Step { .. }) => true,
             Self::Varying(Varying::Table { times, .. }) => times.windows(2).any(|pair| pair[0] == pair[1]),
+            Self::Varying(Varying::Expression { .. }) => {
+                self.compile().is_ok_and(|function| function.jumps(until))
+            }
             _ => false,
         }
     }

@@ -77,7 +77,7 @@ pub enum ResumeError {
 }
 
 /// Version of the format and of the algorithm.
-const VERSION: u32 = 13;
+const VERSION: u32 = 14;
 
 impl Checkpoint {
     /// Number of rows recorded before the checkpoint. The next row has this number, counted from 0.

@@ -115,9 +115,6 @@ impl<'a> StepControl<'a> {
         };
         let time_tolerance = TIME_TOLERANCE * settings.step.fixed().unwrap_or(duration);
         let mut jumps = assembly.breaks().to_vec();
-        if settings.step.fixed().is_none() {
-            jumps.extend(assembly.inputs.switches(begin + duration));
-        }
         jumps.retain(|t| *t > begin + time_tolerance && *t < begin + duration + time_tolerance);
         jumps.sort_by(|a, b| b.total_cmp(a));
         jumps.dedup_by(|a, b| (*a - *b).abs() <= time_tolerance);

@@ -1,10 +1,12 @@
-//! Error-controlled steps land on pulses of functions of time, however narrow.
+//! Error-controlled steps land on pulses of functions of time, however narrow. Steps of both kinds end at jumps of formulas.
 
 use std::f64::consts::PI;
 
 use ancf::mechanics::functions::{ExternalFunction, FunctionValue};
 use ancf::record::Series;
 use ancf::{Model, Summary, simulate};
+
+use crate::common::assertions::assert_relative;
 
 fn run(text: &str) -> (Summary, Series) {
     let (model, mut series) = (Model::parse(text).unwrap(), Series::new());
@@ -107,6 +109,54 @@ fn jumps_of_formulas_end_steps() {
     let y = 60.0 * (0.5 * 1.01 * 1.01 + 1.01 * (10.0 - 4.34) - 0.25 * (10.0_f64 - 4.34).powi(2));
     assert!((last(&series, "m.vy") - v).abs() < 1e-9 && (last(&series, "m.y") - y).abs() < 1e-9);
     assert!(summary.steps < 30, "{}", summary.steps);
+}
+
+/// Steps of a fixed size end at jumps and kinks of formulas: the motion is that by a table, without a warning, to rounding.
+#[test]
+fn fixed_steps_end_at_jumps_of_formulas() {
+    let jump = [
+        formula("if(t < 0.3333, 1, -2)*(t >= 0.3)"),
+        r#"{ kind = "table", times = [0.3, 0.3, 0.3333, 0.3333, 1], values = [0, 1, 1, -2, -2] }"#.to_owned(),
+    ];
+    let ramp = [
+        formula("min(max((t - 0.123)/1e-3, 0), 1)"),
+        r#"{ kind = "ramp", start = 0.123, end = 0.124 }"#.to_owned(),
+    ];
+    for scheme in ["{ spectral_radius = 0.7 }", r#""energy""#] {
+        for times in [&jump, &ramp] {
+            let [ours, reference] = times.each_ref().map(|time| {
+                let text = pushed(120.0, time, 1.0, "0.01").replace("{ spectral_radius = 0.7 }", scheme);
+                let (summary, series) = run(&text);
+                assert_eq!(summary.warnings, Vec::<String>::new(), "{time}");
+                ["m.vy", "m.y", "m.ay", "work"].map(|name| last(&series, name))
+            });
+            for (own, reference) in ours.into_iter().zip(reference) {
+                assert_relative(&times[0], own, reference, 1e-11);
+            }
+        }
+    }
+}
+
+/// A drive by a formula that jumps is rejected in steps of any kind.
+#[test]
+fn jumps_of_drives_by_formulas_are_rejected() {
+    for step in ["0.01", "{ tolerance = 1e-4 }"] {
+        for (text, jumps) in
+            [("if(t < 0.3, 0, 0.1)", true), ("if(t < 0.3, t/3, 0.1)", false), ("if(t < 3, 0, 1)", false)]
+        {
+            let text = format!(
+                r#"
+                bodies = [{{ kind = "rigid", name = "r", center = [0, 0, 0], mass = 1, inertia = [1, 1, 1] }}]
+                joints = [{{ kind = "revolute", name = "j", a = {{ body = "r", at = "center" }}, axis = [0, 0, 1], drive = {{ angle = 1, time = {} }} }}]
+                analysis = {{ kind = "dynamics", duration = 1, step = {step} }}
+                "#,
+                formula(text)
+            );
+            let errors = Model::parse(&text).err().map(|errors| errors.to_string()).unwrap_or_default();
+            assert_eq!(errors.contains("a function that jumps"), jumps, "{text}: {errors}");
+            assert_eq!(errors.is_empty(), !jumps, "{text}: {errors}");
+        }
+    }
 }
 
 /// Negligible pulses do not cost steps: 1e-9 of the tolerance.

@@ -103,6 +103,30 @@ fn errors_of_an_oscillator() {
     }
 }
 
+/// Mass that meets a stop, or pulls a rope taut, within a step: the errors state the steps without their kinks.
+#[test]
+fn kinks_of_force_laws_are_stated() {
+    let rope =
+        r#"kind = "spring", b = { point = [0, 0, 0] }, length = 1.05, stiffness = 800, tension_only = true"#;
+    let stop = r#"kind = "prismatic", axis = [1, 0, 0], stops = { upper = 0.05, stiffness = 800, transition = 1e-3 }"#;
+    let spring = r#"kind = "prismatic", axis = [1, 0, 0], spring = { stiffness = 800 }"#;
+    for (joint, least) in [(rope, 2), (stop, 2), (spring, 0)] {
+        let text = format!(
+            r#"bodies = [{{ kind = "rigid", name = "m", center = [1, 0, 0], mass = 2, inertia = [1, 1, 1],
+                motion = {{ velocity = [1, 0, 0] }} }}]
+            joints = [{{ name = "j", a = {{ body = "m", at = "center" }}, {joint} }}]
+            probes = [{{ name = "p", on = {{ body = "m", at = "center" }} }}]
+            analysis = {{ kind = "dynamics", duration = 0.4, step = 4e-3, scheme = {{ spectral_radius = 0.8 }} }}"#
+        );
+        let errors = run(&text, true).1.unwrap();
+        let kinked = errors.kinked_steps;
+        assert!((least..=6).contains(&kinked) && (least > 0 || kinked == 0), "{joint}: {kinked}");
+        let says =
+            errors.sentence().contains(&format!("without the kinks of force laws in {kinked} steps, mesh"));
+        assert_eq!(says, least > 0, "{}", errors.sentence());
+    }
+}
+
 /// Mechanisms and joints: a double pendulum, a shaft that a drive spins up, and a robot arm.
 #[test]
 fn errors_of_mechanisms() {

@@ -274,7 +274,7 @@ fn checkpoints_of_other_models_are_rejected() {
     // The first byte is the version of the format.
     let mut other = all[3].clone();
     other[0] += 1;
-    assert!(matches!(resume_error(&model, &read(&other)), ResumeError::Version { found: 14, expected: 13 }));
+    assert!(matches!(resume_error(&model, &read(&other)), ResumeError::Version { found: 15, expected: 14 }));
 }
 
 /// Resumes from damaged data with a limit on the queries, since the run may be slow.

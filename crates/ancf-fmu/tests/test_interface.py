@@ -51,8 +51,10 @@ class Instance:
                 logMessage=lambda *given: self.messages.append(given[3].decode()), earlyReturnAllowed=early
             )
 
-    def start(self, values: dict[str, float] | None = None, **times: float) -> None:
-        """Initialise with start values."""
+    def start(
+        self, values: dict[str, float] | None = None, within: dict[str, float] | None = None, **times: float
+    ) -> None:
+        """Initialise with start values that are set before or within the initialization mode."""
         for name, value in (values or {}).items():
             self.set(name, value)
         if self.version == 2:
@@ -60,6 +62,8 @@ class Instance:
             self.fmu.enterInitializationMode()
         else:
             self.fmu.enterInitializationMode(**times)
+        for name, value in (within or {}).items():
+            self.set(name, value)
         self.fmu.exitInitializationMode()
 
     def set(self, name: str, value: float) -> None:
@@ -150,6 +154,18 @@ def test_a_state_contains_the_parameters(fmu: Fmu, version: int) -> None:
         light.restore(light.deserialized(data))
         light.step(0.02, 0.02)
         assert light.all() == heavy.all()
+
+
+@VERSIONS
+def test_parameters_may_be_set_in_initialization_mode(fmu: Fmu, version: int) -> None:
+    path = fmu("cart_pole", version, "-p", "bodies.cart.mass")
+    values = {"bodies.cart.mass": 5e-3, "push": 3.0}
+    with instance(path) as before, instance(path) as within:
+        before.start(values)
+        within.start(within=values)
+        for one in (before, within):
+            one.step(0, 0.02)
+        assert within.all() == before.all()
 
 
 @VERSIONS
@@ -245,7 +261,7 @@ def test_invalid_calls_are_rejected_with_messages(fmu: Fmu, version: int) -> Non
         one.fmu.reset()
         rejected(one, lambda: one.start(startTime=1.0), "start time: found 1, expected 0")
         one.start(stopTime=0.05)
-        rejected(one, lambda: one.set("bodies.cart.mass", 1.0), "fixed after the instantiation")
+        rejected(one, lambda: one.set("bodies.cart.mass", 1.0), "fixed after the initialization")
         rejected(one, lambda: one.step(0.01, 0.01), "communication point: found 0.01, expected 0")
         rejected(one, lambda: one.step(0, -0.01), "expected a number above 0")
         rejected(one, lambda: one.step(0, 0.1), "expected at most 0.05")

@@ -24,7 +24,7 @@ impl Instance {
         }
     }
 
-    /// Sets an input, or before the initialisation a parameter.
+    /// Sets an input, or until the end of the initialization a parameter.
     pub(crate) fn set(&mut self, reference: u32, value: f64) -> Result<(), Fault> {
         let variable = self.variable(reference)?;
         let name = || format!("{:?}", self.resources.interface.name(variable));
@@ -34,10 +34,12 @@ impl Instance {
         match (variable, self.phase) {
             (Variable::Input(i), Phase::Instantiated | Phase::Initialization) => self.inputs[i] = value,
             (Variable::Input(i), Phase::Step) => self.set_input(i, value)?,
-            (Variable::Parameter(i), Phase::Instantiated) => self.parameters[i] = value,
+            (Variable::Parameter(i), Phase::Instantiated | Phase::Initialization) => {
+                self.parameters[i] = value
+            }
             (Variable::Parameter(_), _) => {
                 return Err(Fault::error(format!(
-                    "the parameter {} is fixed after the instantiation",
+                    "the parameter {} is fixed after the initialization",
                     name()
                 )));
             }

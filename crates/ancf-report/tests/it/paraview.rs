@@ -242,7 +242,7 @@ fn tapered_tubes_hold_their_volumes() {
         assert!(grid.is_closed());
         let cone = |a: f64, b: f64| (a * a + a * b + b * b) / 12.0;
         // A regular polygon of 24 sides in a circle.
-        let polygon = 12.0 * (std::f64::consts::TAU / 24.0).sin();
+        let polygon = 12.0 * (TAU / 24.0).sin();
         let volume = polygon * (cone(0.1, outer) - cone(0.08, inner));
         assert!(
             (grid.volume(0) / volume - 1.0).abs() < 1e-5,

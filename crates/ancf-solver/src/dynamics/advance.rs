@@ -108,6 +108,14 @@ impl<E: EquationsOfMotion> TimeStepper<'_, E> {
     fn restart_after(&mut self, h: f64, t: f64) -> Result<(), SolveError> {
         self.revertible(|own| {
             let before = own.motion.energy;
+            let weights = own.scheme.weights(own.motion.h);
+            let Newton { tangent, z, .. } = &mut own.newton;
+            let (matrix, factor) = tangent.lend();
+            if own.motion.h > 0.0 {
+                // The error of the velocities along the constraints; those of a jump follow at its time.
+                let part = Projected::SlowVelocities(weights);
+                let _ = project(&*own.eom, matrix, factor, &mut own.motion.state, part, z);
+            }
             own.move_by_series(h, t)?;
             let Newton { tangent, z, .. } = &mut own.newton;
             let (matrix, factor) = tangent.lend();

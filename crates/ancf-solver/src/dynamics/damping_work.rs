@@ -89,6 +89,19 @@ impl DampingForces {
         sum_of_chunks(now.v.len(), |range| range.map(work).sum())
     }
 
+    /// Returns true if the forces dissipate at both ends of a step. `start` has the forces of a first step.
+    pub(crate) fn dissipate(
+        &self,
+        (before, now): (&State, &State),
+        start: Option<&StartValues>,
+        attempt: &DampingAttempt,
+    ) -> bool {
+        let before_force = start.map_or(&self.force[..], |start| &start.damping);
+        let power =
+            |force: &[f64], v: &[f64]| sum_of_chunks(v.len(), |range| range.map(|i| force[i] * v[i]).sum());
+        power(before_force, &before.v) >= 0.0 && power(&attempt.force, &now.v) >= 0.0
+    }
+
     /// Advances to the end of an attempted step.
     pub(crate) fn accept(&mut self, attempt: &DampingAttempt) {
         let n = self.force.len();

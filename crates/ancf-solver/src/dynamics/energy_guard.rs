@@ -38,6 +38,10 @@ pub struct EnergyRecord {
     exchanged: f64,
     /// Delayed reference.
     delayed: f64,
+    /// Decrease of the dissipated energy since its largest value, by damping forces that dissipate at both ends of a step in which the
+    /// energy rises, and its largest value. It is energy that the integration made, which the work of the damping forces hides.
+    decrease: f64,
+    most_decrease: f64,
     /// Number of attempted steps that made too much energy.
     pub(crate) refused: u32,
 }
@@ -99,14 +103,22 @@ impl EnergyRecord {
         self.most
     }
 
+    /// Returns the largest decrease of the dissipated energy by damping forces that dissipate at both ends of a step. In steps of a fixed
+    /// size it is energy that the integration made; a growing step changes the velocities that damping forces act on.
+    pub fn decrease(&self) -> f64 {
+        self.most_decrease
+    }
+
     /// Returns the number of attempted steps that made too much energy and were rejected.
     pub fn refused(&self) -> u32 {
         self.refused
     }
 
-    /// Returns the record after a step.
-    pub(crate) fn after(self, (before, now): (Energy, Energy), exchange: Power) -> Self {
-        let made = self.made + (now.total() - before.total()) - exchange.work + exchange.dissipation;
+    /// Returns the record after a step, in which the dissipated energy decreases by `decrease` without a reason.
+    pub(crate) fn after(self, (before, now): (Energy, Energy), exchange: Power, decrease: f64) -> Self {
+        let rise = now.total() - before.total() - exchange.work;
+        let decrease = (self.decrease + decrease.min(rise.max(0.0))).max(0.0);
+        let made = self.made + rise + exchange.dissipation;
         let next = Self {
             made,
             least: self.least.min(made),
@@ -114,6 +126,8 @@ impl EnergyRecord {
             largest: self.largest.max(now.kinetic + now.strain.abs()),
             magnitude: self.magnitude.max(now.largest()),
             exchanged: self.exchanged + exchange.work.abs() + exchange.dissipation.abs(),
+            decrease,
+            most_decrease: self.most_decrease.max(decrease),
             ..self
         };
         let reference = next.reference();
@@ -123,7 +137,10 @@ impl EnergyRecord {
 
     /// Returns true if the energies are finite.
     pub(crate) fn is_valid(&self) -> bool {
-        [self.made, self.least, self.most, self.largest, self.magnitude, self.exchanged, self.delayed]
+        let Self {
+            made, least, most, largest, magnitude, exchanged, delayed, decrease, most_decrease, ..
+        } = self;
+        [made, least, most, largest, magnitude, exchanged, delayed, decrease, most_decrease]
             .iter()
             .all(|x| x.is_finite())
     }

@@ -101,7 +101,8 @@ impl IntegrationState {
         }
     }
 
-    /// Computes powers at the end of an attempt, and the work and dissipation with the impulses of the scheme.
+    /// Computes powers at the end of an attempt, the work and dissipation with the impulses of the scheme, and the decrease of the
+    /// dissipated energy, unless damping forces drive at an end.
     ///
     /// `start` are the values of a first step.
     pub(crate) fn exchange_of_step(
@@ -111,7 +112,7 @@ impl IntegrationState {
         before: &State,
         start: &StartValues,
         damping: &mut DampingAttempt,
-    ) -> (PowerIntegral, Power) {
+    ) -> (PowerIntegral, Power, f64) {
         let h = self.state.t - before.t;
         let power = eom.exchange(&self.state, &mut damping.force);
         let is_first = self.at_start && !scheme.is_newmark();
@@ -120,8 +121,11 @@ impl IntegrationState {
         let growth = (!is_first).then_some(ratio(self.h).min(LARGEST_POWER_RATIO));
         let mut exchange = integral.advance(scheme, growth, h, power);
         let (start, ratio) = (is_first.then_some(start), ratio(self.adapted_h));
-        exchange.dissipation += self.damping.work(scheme, (before, &self.state), (start, ratio), damping);
-        (integral, exchange)
+        let ends = (before, &self.state);
+        let work = self.damping.work(scheme, ends, (start, ratio), damping);
+        exchange.dissipation += work;
+        let is_passive = work >= 0.0 || self.damping.dissipate(ends, start, damping);
+        (integral, exchange, if is_passive { -work } else { 0.0 })
     }
 
     /// Returns the quantities that depend on the size of the last step.

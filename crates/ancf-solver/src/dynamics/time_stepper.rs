@@ -240,12 +240,16 @@ impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
     /// Computes energies, work and dissipation at the end of an attempt. Reverts it if it made too much energy.
     fn check_energy(&mut self, done: NewtonReport, to: f64) -> Result<NewtonReport, SolveError> {
         let Self { eom, motion, before, damping, start, scheme, .. } = self;
-        let (power, exchange) = match scheme.averaging {
+        let (power, exchange, decrease) = match scheme.averaging {
             None => motion.exchange_of_step(&**eom, *scheme, before, start, damping),
-            Some(_) => self.middle.exchange(&**eom, (before, &motion.state), &mut damping.force),
+            Some(_) => {
+                let (power, exchange) =
+                    self.middle.exchange(&**eom, (before, &motion.state), &mut damping.force);
+                (power, exchange, 0.0)
+            }
         };
         let energy = eom.energy(&motion.state);
-        let mut record = motion.record.after((motion.energy, energy), exchange);
+        let mut record = motion.record.after((motion.energy, energy), exchange, decrease);
         let mut is_permitted = self.guard.permits(&record, || self.rounding_energy());
         if !is_permitted {
             record.include_size(self.eom.energy_size(&self.motion.state));

@@ -26,7 +26,7 @@ pub struct Slide {
     /// Spring and damper along the axis.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub spring: Option<LinearSpring>,
-    /// Dry friction along the axis, of a given force.
+    /// Dry friction along the axis, of a given force or by the reaction.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub friction: Option<LinearFriction>,
     /// Law of a force on `a` along the axis, by the displacement x and its rate v.

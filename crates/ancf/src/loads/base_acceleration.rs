@@ -13,7 +13,7 @@ pub struct BaseAcceleration {
     /// Acceleration of the ground, length/time².
     #[unit(length / time^2)]
     pub acceleration: [f64; 3],
-    /// Function of time that multiplies the load. Statics ignores it.
+    /// Function of time that multiplies the load. Statics ignores it, except the value of an input.
     #[serde(default)]
     pub time: TimeFunction,
 }

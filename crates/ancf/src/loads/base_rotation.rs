@@ -26,7 +26,7 @@ pub struct BaseRotation {
     #[unit(length)]
     #[serde(default)]
     pub point: [f64; 3],
-    /// Function of time that multiplies the angular velocity. Statics ignores it.
+    /// Function of time that multiplies the angular velocity. Statics ignores it, except the value of an input.
     #[serde(default)]
     pub time: TimeFunction,
 }

@@ -31,7 +31,7 @@ pub struct DistributedForce {
     /// True for a load that rotates with the sections.
     #[serde(default)]
     pub follower: bool,
-    /// Function of time that multiplies the load. Statics ignores it.
+    /// Function of time that multiplies the load. Statics ignores it, except the value of an input.
     #[serde(default)]
     pub time: TimeFunction,
 }

@@ -26,7 +26,7 @@ pub struct Fluid {
     #[serde(default)]
     #[unit(length / time)]
     pub current: [f64; 3],
-    /// Function of time that multiplies the current. Statics ignores it.
+    /// Function of time that multiplies the current. Statics ignores it, except the value of an input.
     #[serde(default)]
     pub time: TimeFunction,
     /// Diameter d exposed to the flow, length; the outer diameter of circles and tubes by default.

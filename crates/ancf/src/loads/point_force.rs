@@ -19,7 +19,7 @@ pub struct PointForce {
     /// True for a load that rotates with the section.
     #[serde(default)]
     pub follower: bool,
-    /// Function of time that multiplies the load. Statics ignores it.
+    /// Function of time that multiplies the load. Statics ignores it, except the value of an input.
     #[serde(default)]
     pub time: TimeFunction,
 }

@@ -46,7 +46,7 @@ pub struct Prestrain {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[unit(radian / length)]
     pub curvature_end: Option<[f64; 3]>,
-    /// Function of time that multiplies strain, tension and curvature. Statics ignores it.
+    /// Function of time that multiplies strain, tension and curvature. Statics ignores it, except the value of an input.
     #[serde(default)]
     pub time: TimeFunction,
 }

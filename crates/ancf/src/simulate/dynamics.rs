@@ -101,7 +101,8 @@ pub(crate) fn energy_warnings(
     // The work of rounding errors is evaluated only for energies that exceed the other limits.
     let exceeds =
         |energy: f64, limit: f64| energy > limit && energy > limit + dynamics.rounding_work(scaled.length());
-    let (lost, created, reference) = (record.lost(), record.created(), record.reference());
+    let (lost, reference) = (record.lost(), record.reference());
+    let created = record.created() + if is_fixed { record.decrease() } else { 0.0 };
     if record.refused() > 0 && is_fixed {
         warnings.push(format!(
             "{} steps made energy (column `balance`) and were halved: the energy may be wrong by the permitted share \

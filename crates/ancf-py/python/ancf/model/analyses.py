@@ -54,8 +54,8 @@ class EnergyGuard(Part):
     Attributes
     ----------
     gain
-        Largest energy that the integration may make. Steps above it are halved, finally rejected (> 0).
-        Default: ``0.05``.
+        Largest energy that the integration may make, relative to the exchanged energy. Steps above it are
+        halved, finally rejected (> 0). Default: ``0.05``.
     loss
         Largest energy that the integration may lose without a warning, by the numerical damping of the scheme
         (> 0). Default: ``0.05``.

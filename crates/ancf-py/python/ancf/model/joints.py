@@ -449,7 +449,7 @@ class SlidingJoint(Part):
     force
         Law of a force on ``a`` along the axis, by the displacement x and its rate v.
     friction
-        Dry friction along the axis, of a given force.
+        Dry friction along the axis, of a given force or by the reaction.
     spring
         Spring and damper along the axis.
     stops

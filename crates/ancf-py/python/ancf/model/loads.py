@@ -75,7 +75,8 @@ class Force(Part):
     follower
         True for a load that rotates with the section. Default: ``False``.
     time
-        Function of time that multiplies the load. Statics ignores it. Default: ``1.0``.
+        Function of time that multiplies the load. Statics ignores it, except the value of an input. Default:
+        ``1.0``.
 
     """
 
@@ -103,7 +104,8 @@ class Moment(Part):
     follower
         True for a load that rotates with the section. Default: ``False``.
     time
-        Function of time that multiplies the load. Statics ignores it. Default: ``1.0``.
+        Function of time that multiplies the load. Statics ignores it, except the value of an input. Default:
+        ``1.0``.
 
     """
 
@@ -137,7 +139,8 @@ class DistributedForce(Part):
     from_
         Start of the load; the start of the axis by default.
     time
-        Function of time that multiplies the load. Statics ignores it. Default: ``1.0``.
+        Function of time that multiplies the load. Statics ignores it, except the value of an input. Default:
+        ``1.0``.
     to
         End of the load; the end of the axis by default.
 
@@ -175,7 +178,8 @@ class DistributedMoment(Part):
         Moment per undeformed length at ``to``, force. The load varies linearly from ``moment`` at ``from``.
         Constant by default.
     time
-        Function of time that multiplies the load. Statics ignores it. Default: ``1.0``.
+        Function of time that multiplies the load. Statics ignores it, except the value of an input. Default:
+        ``1.0``.
     to
         End of the load; the end of the axis by default.
 
@@ -208,7 +212,8 @@ class EdgeForce(Part):
     force
         Force per undeformed length in the global frame, force/length.
     time
-        Function of time that multiplies the load. Statics ignores it. Default: ``1.0``.
+        Function of time that multiplies the load. Statics ignores it, except the value of an input. Default:
+        ``1.0``.
 
     """
 
@@ -238,7 +243,8 @@ class EdgeMoment(Part):
     follower
         True for a load that rotates with the surface. Default: ``False``.
     time
-        Function of time that multiplies the load. Statics ignores it. Default: ``1.0``.
+        Function of time that multiplies the load. Statics ignores it, except the value of an input. Default:
+        ``1.0``.
 
     """
 
@@ -268,7 +274,8 @@ class SurfaceForce(Part):
         Name of a group of elements of a shear-deformable shell on which the load acts; the whole shell by
         default.
     time
-        Function of time that multiplies the load. Statics ignores it. Default: ``1.0``.
+        Function of time that multiplies the load. Statics ignores it, except the value of an input. Default:
+        ``1.0``.
 
     """
 
@@ -298,7 +305,8 @@ class SurfacePressure(Part):
         Name of a group of elements of a shear-deformable shell on which the load acts; the whole shell by
         default.
     time
-        Function of time that multiplies the load. Statics ignores it. Default: ``1.0``.
+        Function of time that multiplies the load. Statics ignores it, except the value of an input. Default:
+        ``1.0``.
 
     """
 
@@ -340,7 +348,7 @@ class Gas(Part):
         <= 10). Default: ``1.0``.
     time
         Amount of gas m as a function of time, relative to that of ``pressure``. Added gas has the state of
-        the gas inside. Statics ignores it. Default: ``1.0``.
+        the gas inside. Statics ignores it, except the value of an input. Default: ``1.0``.
 
     """
 
@@ -387,7 +395,8 @@ class SurfaceFluid(Part):
     region
         Name of a group of elements of a shear-deformable shell in the fluid; the whole shell by default.
     time
-        Function of time that multiplies the current. Statics ignores it. Default: ``1.0``.
+        Function of time that multiplies the current. Statics ignores it, except the value of an input.
+        Default: ``1.0``.
 
     """
 
@@ -415,7 +424,8 @@ class BaseAcceleration(Part):
     acceleration
         Acceleration of the ground, length/time².
     time
-        Function of time that multiplies the load. Statics ignores it. Default: ``1.0``.
+        Function of time that multiplies the load. Statics ignores it, except the value of an input. Default:
+        ``1.0``.
 
     """
 
@@ -443,7 +453,8 @@ class BaseRotation(Part):
     point
         Point of the axis, length; the origin by default.
     time
-        Function of time that multiplies the angular velocity. Statics ignores it. Default: ``1.0``.
+        Function of time that multiplies the angular velocity. Statics ignores it, except the value of an
+        input. Default: ``1.0``.
 
     """
 
@@ -484,7 +495,8 @@ class FluidLoad(Part):
     diameter
         Diameter d exposed to the flow, length; the outer diameter of circles and tubes by default (> 0).
     time
-        Function of time that multiplies the current. Statics ignores it. Default: ``1.0``.
+        Function of time that multiplies the current. Statics ignores it, except the value of an input.
+        Default: ``1.0``.
 
     """
 
@@ -531,7 +543,8 @@ class Prestrain(Part):
     tension
         Axial force in the reference shape, positive in tension; force. Default: ``0.0``.
     time
-        Function of time that multiplies strain, tension and curvature. Statics ignores it. Default: ``1.0``.
+        Function of time that multiplies strain, tension and curvature. Statics ignores it, except the value
+        of an input. Default: ``1.0``.
     to
         End of the part, a node; the end of the axis by default.
 
@@ -578,8 +591,8 @@ class SurfacePrestrain(Part):
         Membrane forces in the reference shape, positive in tension; force/length. Default: ``[0.0, 0.0,
         0.0]``.
     time
-        Function of time that multiplies strains, tensions and curvatures. Statics ignores it. Default:
-        ``1.0``.
+        Function of time that multiplies strains, tensions and curvatures. Statics ignores it, except the
+        value of an input. Default: ``1.0``.
 
     """
 

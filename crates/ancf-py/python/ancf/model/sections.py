@@ -32,11 +32,13 @@ class Damping(Part):
     Attributes
     ----------
     bending
-        Retardation time of bending, time; ``strain`` by default. Only for beams as above and cables (>= 0).
+        Retardation time of bending, time; ``strain`` by default. Only for cables and for beams except
+        ``continuum`` (>= 0).
     mass
         Rate α of the mass-proportional damping, 1/time. The force per mass is −α v (>= 0). Default: ``0.0``.
     shear
-        Retardation time of the shear of beams, time; ``strain`` by default. Only for beams as above (>= 0).
+        Retardation time of the shear of beams, time; ``strain`` by default. Only for beams except
+        ``continuum`` (>= 0).
     strain
         Retardation time τ of the Kelvin-Voigt model, time. Stresses follow from the strain E + τ dE/dt (>=
         0). Default: ``0.0``.
@@ -44,7 +46,8 @@ class Damping(Part):
         Retardation time of the mean axial strain, time; ``strain`` by default. Only for beams without
         ``formulation = "continuum"`` and cables (>= 0).
     torsion
-        Retardation time of the torsion of beams, time; ``strain`` by default. Only for beams as above (>= 0).
+        Retardation time of the torsion of beams, time; ``strain`` by default. Only for beams except
+        ``continuum`` (>= 0).
 
     """
 

@@ -29,17 +29,13 @@ pub(crate) fn start_values<E: EquationsOfMotion>(
     h: f64,
 ) -> Result<(), SolveError> {
     let StartValues { acceleration, damping, auxiliary_damping } = start;
-    let (n, w, consistent) = (s.q.len(), scheme.weights(h), s.a.clone());
+    let (n, w) = (s.q.len(), scheme.weights(h));
     eom.exchange(s, damping);
-    let fast_damping = FastMotions::at(eom, newton, (s, before_jump), damping, (h, w))?.map(|fast| {
-        s.a.iter_mut().zip(&fast.acceleration).for_each(|(a, fast)| *a -= fast);
-        fast.damping
-    });
+    let fast = FastMotions::at(eom, newton, (s, before_jump), damping, (h, w))?;
+    s.a.iter_mut().zip(&fast.acceleration).for_each(|(a, fast)| *a -= fast);
+    damping.iter_mut().zip(&fast.damping).for_each(|(force, fast)| *force -= fast);
     acceleration.copy_from_slice(&s.a);
-    let rates = start_rates(eom, newton, s, (&consistent, damping), (scheme, h))?;
-    for (force, fast) in damping.iter_mut().zip(fast_damping.iter().flatten()) {
-        *force -= fast;
-    }
+    let rates = start_rates(eom, newton, s, (&fast, &damping[..n]), (scheme, h))?;
     auxiliary_damping.copy_from_slice(damping);
     start_damping(eom, newton, s, (auxiliary_damping, &rates.damping), (scheme, h))?;
     filter(eom, newton, s, &rates.acceleration, w)?;
@@ -91,6 +87,7 @@ fn start_damping<E: EquationsOfMotion>(
     }
     let Newton { tangent, r, z, .. } = newton;
     let (matrix, factor) = tangent.lend();
+    z.fill(0.0);
     z.iter_mut().zip(rate).for_each(|(z, rate)| *z = -rate);
     solve(eom, matrix, factor, s, scheme.weights(h), z)?;
     eom.tangent(s, Weights::MASS, matrix);

@@ -150,12 +150,15 @@ pub(crate) enum Projected {
     PositionsByLastFactors,
     /// Velocities onto Φ_q v + Φ_t = 0.
     Velocities,
+    /// Velocities onto Φ_q v + Φ_t = 0, with the iteration matrix of these weights in place of the mass matrix.
+    SlowVelocities(Weights),
 }
 
 /// Projects a part of a state in the norm of the kinetic energy and in given working storage:
 ///
 /// [M, Φ_qᵀ; Φ_q, 0] (Δ, ·) = −(0, Φ).
 ///
+/// An iteration matrix in place of M avoids changes in motions that are faster than the step, whose damping forces are large.
 /// States if the factors are those of the projected state.
 pub(crate) fn project<E: EquationsOfMotion + ?Sized>(
     eom: &E,
@@ -168,7 +171,7 @@ pub(crate) fn project<E: EquationsOfMotion + ?Sized>(
     let n = s.q.len();
     let level = match part {
         Projected::Positions | Projected::PositionsByLastFactors => Level::Position,
-        Projected::Velocities => Level::Velocity,
+        Projected::Velocities | Projected::SlowVelocities(_) => Level::Velocity,
     };
     rhs[..n].fill(0.0);
     eom.constraints(s, level, &mut rhs[n..]);
@@ -179,9 +182,11 @@ pub(crate) fn project<E: EquationsOfMotion + ?Sized>(
     match part {
         Projected::Positions | Projected::Velocities => solve(eom, matrix, factor, s, Weights::MASS, rhs)?,
         Projected::PositionsByLastFactors => solve_again(matrix, factor, s, rhs)?,
+        Projected::SlowVelocities(w) => solve(eom, matrix, factor, s, w, rhs)?,
     }
     let (projected, factors) = match level {
-        Level::Velocity => (&mut s.v, Factors::OfState),
+        Level::Velocity if matches!(part, Projected::Velocities) => (&mut s.v, Factors::OfState),
+        Level::Velocity => (&mut s.v, Factors::OfOtherState),
         _ => (&mut s.q, Factors::OfOtherState),
     };
     projected.iter_mut().zip(&*rhs).for_each(|(x, change)| *x += change);

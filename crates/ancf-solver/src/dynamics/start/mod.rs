@@ -1,8 +1,10 @@
 //! Start of a motion: consistent accelerations and multipliers, and the start values of the first step.
 
 mod fast_motions;
+mod fast_part;
 mod first_step;
 mod initial_conditions;
+mod products;
 mod rates;
 
 pub(crate) use first_step::{StartValues, start_values};

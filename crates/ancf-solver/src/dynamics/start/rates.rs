@@ -1,4 +1,6 @@
+use super::fast_motions::FastMotions;
 use super::initial_conditions::{Factors, Projected, accelerations, project, solve};
+use super::products::{difference, magnitudes, multiply};
 use crate::dynamics::scheme::SchemeCoefficients;
 use crate::equations::{EquationsOfMotion, State, Weights};
 use crate::newton::{Newton, SolveError};
@@ -41,11 +43,12 @@ pub(super) fn start_rates<E: EquationsOfMotion>(
     eom: &E,
     newton: &mut Newton,
     s: &State,
-    at_start: (&[f64], &[f64]),
+    at_start: (&FastMotions, &[f64]),
     (scheme, h): (SchemeCoefficients, f64),
 ) -> Result<Rates, SolveError> {
     let rates_for = |newton: &mut Newton, k: i32| {
-        rates(eom, newton, s, at_start, h * DIFFERENCE_INTERVAL * REFINEMENT.powi(k))
+        let delta = h * DIFFERENCE_INTERVAL * REFINEMENT.powi(k);
+        rates(eom, newton, s, at_start, (delta, h, scheme.weights(h)))
     };
     let mut last = rates_for(newton, 0)?;
     let [first, second] = magnitudes(eom, newton, s, last.differences.each_ref().map(|x| &x[..]));
@@ -83,32 +86,6 @@ pub(super) fn start_rates<E: EquationsOfMotion>(
     }
 }
 
-pub(super) fn difference(x: &[f64], y: &[f64]) -> Vec<f64> {
-    x.iter().zip(y).map(|(x, y)| x - y).collect()
-}
-
-/// Returns √(xᵀ M x) of several vectors.
-pub(super) fn magnitudes<E: EquationsOfMotion, const N: usize>(
-    eom: &E,
-    newton: &mut Newton,
-    s: &State,
-    vectors: [&[f64]; N],
-) -> [f64; N] {
-    eom.tangent(s, Weights::MASS, newton.tangent.lend().0);
-    vectors.map(|x| {
-        multiply(newton, x);
-        x.iter().zip(&newton.r).map(|(x, r)| x * r).sum::<f64>().max(0.0).sqrt()
-    })
-}
-
-/// Computes the product of the last computed matrix and (x, 0) into `newton.r`.
-pub(super) fn multiply(newton: &mut Newton, x: &[f64]) {
-    let Newton { tangent, r, z, .. } = newton;
-    z.fill(0.0);
-    z[..x.len()].copy_from_slice(x);
-    tangent.lend().0.multiply(z, r);
-}
-
 /// Computes the rate of the acceleration without motions that are faster than the step into `newton.z`, and its forces (M v̈, Φ_q v̈)
 /// into `newton.r`: [S, Φ_qᵀ; Φ_q, 0] (x, ·) = (M v̈, Φ_q v̈), S with the weights `w`.
 pub(super) fn filter<E: EquationsOfMotion>(
@@ -142,48 +119,74 @@ pub(super) fn ahead(s: &State, d: f64) -> State {
 ///
 /// The states on the parabola are projected onto the constraints of positions and velocities. The differences are
 /// one-sided, since loads may jump at the start. Quadratic terms cancel, including the error of the parabola in v.
+///
+/// In a moving system, large accelerations of [motions much faster](FastMotions) than the step are removed at each point of the parabola, as they are
+/// from the state. They turn with a body that rotates, so that their rates have a moment about its center, which no filter removes from
+/// a rate.
 fn rates<E: EquationsOfMotion>(
     eom: &E,
     newton: &mut Newton,
     s: &State,
-    (consistent, damping): (&[f64], &[f64]),
-    delta: f64,
+    (fast, damping): (&FastMotions, &[f64]),
+    (delta, h, w): (f64, f64, Weights),
 ) -> Result<Rates, SolveError> {
-    let start = |x: &[f64]| -> Vec<f64> { x.iter().map(|x| -1.5 / delta * x).collect() };
-    let zeros = || vec![0.0; s.q.len()];
-    let [mut first, mut second] = [zeros(), zeros()];
-    let mut rates =
-        Rates { acceleration: start(consistent), damping: start(damping), differences: Default::default() };
-    for (d, weight, of) in [(delta, 2.0 / delta, [1.0, -2.0]), (2.0 * delta, -0.5 / delta, [0.0, 1.0])] {
-        let mut ahead = ahead(s, d);
-        let Newton { tangent, z, r, .. } = &mut *newton;
-        let (matrix, factor) = tangent.lend();
-        // Beside the constraints, accelerations depend on the form of their equations.
-        let (mut projected, mut factors) = (ahead.clone(), Factors::OfOtherState);
-        let mut is_projected = |part| {
-            let done = project(eom, matrix, factor, &mut projected, part, z);
-            done.is_ok_and(|of| {
-                factors = of;
-                true
-            })
-        };
-        if PROJECTIONS.into_iter().all(&mut is_projected) {
-            ahead = projected;
-        } else {
-            factors = Factors::OfOtherState;
-        }
-        accelerations(eom, matrix, factor, &mut ahead, z, factors)?;
-        eom.exchange(&ahead, r);
-        let add = |rate: &mut [f64], x: &[f64]| {
-            rate.iter_mut().zip(x).for_each(|(rate, x)| *rate += weight * x);
-        };
-        add(&mut rates.acceleration, &ahead.a);
-        add(&mut rates.damping, r);
-        for (i, (now, then)) in ahead.a.iter().zip(consistent).enumerate() {
-            first[i] += of[0] * (now - then);
-            second[i] += of[1] * (now - then);
-        }
+    let [speed, acceleration] = magnitudes(eom, newton, s, [&s.v, &s.a]);
+    let (mut near, mut near_damping) = state_ahead(eom, newton, s, delta)?;
+    let (mut far, mut far_damping) = state_ahead(eom, newton, s, 2.0 * delta)?;
+    let mut start = sum(&s.a, &fast.acceleration);
+    let mut start_damping = sum(damping, &fast.damping);
+    let [change] = magnitudes(eom, newton, s, [&difference(&near.a, &start)]);
+    let is_large = h * h / delta * change > ACCEPTED * (speed + h * acceleration);
+    if speed > 0.0 && (is_large || fast.filter.is_active) {
+        fast.filter.remove(eom, newton, (&mut near, &mut near_damping), w)?;
+        fast.filter.remove(eom, newton, (&mut far, &mut far_damping), w)?;
+        start.copy_from_slice(&s.a);
+        start_damping.copy_from_slice(damping);
     }
-    rates.differences = [first, second];
-    Ok(rates)
+    let rate = |start: &[f64], near: &[f64], far: &[f64]| -> Vec<f64> {
+        let values = start.iter().zip(near).zip(far);
+        values.map(|((start, near), far)| (-1.5 * start + 2.0 * near - 0.5 * far) / delta).collect()
+    };
+    let first = difference(&near.a, &start);
+    let second = difference(&difference(&far.a, &near.a), &first);
+    Ok(Rates {
+        acceleration: rate(&start, &near.a, &far.a),
+        damping: rate(&start_damping, &near_damping, &far_damping),
+        differences: [first, second],
+    })
+}
+
+fn sum(x: &[f64], y: &[f64]) -> Vec<f64> {
+    x.iter().zip(y).map(|(x, y)| x + y).collect()
+}
+
+/// Returns the state at a time d later on a parabola through a state, with consistent velocities and accelerations, and its damping
+/// forces.
+fn state_ahead<E: EquationsOfMotion>(
+    eom: &E,
+    newton: &mut Newton,
+    s: &State,
+    d: f64,
+) -> Result<(State, Vec<f64>), SolveError> {
+    let mut ahead = ahead(s, d);
+    let Newton { tangent, z, r, .. } = newton;
+    let (matrix, factor) = tangent.lend();
+    // Beside the constraints, accelerations depend on the form of their equations.
+    let (mut projected, mut factors) = (ahead.clone(), Factors::OfOtherState);
+    let mut is_projected = |part| {
+        let done = project(eom, matrix, factor, &mut projected, part, z);
+        done.is_ok_and(|of| {
+            factors = of;
+            true
+        })
+    };
+    if PROJECTIONS.into_iter().all(&mut is_projected) {
+        ahead = projected;
+    } else {
+        factors = Factors::OfOtherState;
+    }
+    accelerations(eom, matrix, factor, &mut ahead, z, factors)?;
+    eom.exchange(&ahead, r);
+    let damping = r[..s.q.len()].to_vec();
+    Ok((ahead, damping))
 }

@@ -18,7 +18,7 @@ pub struct EdgeForce {
     /// Force per undeformed length in the global frame, force/length.
     #[unit(force / length)]
     pub force: [f64; 3],
-    /// Function of time that multiplies the load. Statics ignores it.
+    /// Function of time that multiplies the load. Statics ignores it, except the value of an input.
     #[serde(default)]
     pub time: TimeFunction,
 }

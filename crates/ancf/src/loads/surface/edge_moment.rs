@@ -23,7 +23,7 @@ pub struct EdgeMoment {
     /// True for a load that rotates with the surface.
     #[serde(default)]
     pub follower: bool,
-    /// Function of time that multiplies the load. Statics ignores it.
+    /// Function of time that multiplies the load. Statics ignores it, except the value of an input.
     #[serde(default)]
     pub time: TimeFunction,
 }

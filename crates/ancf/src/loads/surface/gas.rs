@@ -37,7 +37,7 @@ pub struct Gas {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[unit(length)]
     pub apex: Option<[f64; 3]>,
-    /// Amount of gas m as a function of time, relative to that of `pressure`. Added gas has the state of the gas inside. Statics ignores it.
+    /// Amount of gas m as a function of time, relative to that of `pressure`. Added gas has the state of the gas inside. Statics ignores it, except the value of an input.
     #[serde(default)]
     pub time: TimeFunction,
 }

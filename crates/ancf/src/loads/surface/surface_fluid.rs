@@ -26,7 +26,7 @@ pub struct SurfaceFluid {
     #[serde(default)]
     #[unit(length / time)]
     pub current: [f64; 3],
-    /// Function of time that multiplies the current. Statics ignores it.
+    /// Function of time that multiplies the current. Statics ignores it, except the value of an input.
     #[serde(default)]
     pub time: TimeFunction,
     /// Coefficients C_n and C_t of drag across and along the surface.

@@ -20,7 +20,7 @@ pub struct SurfacePressure {
     /// Name of a group of elements of a shear-deformable shell on which the load acts; the whole shell by default.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub region: Option<String>,
-    /// Function of time that multiplies the load. Statics ignores it.
+    /// Function of time that multiplies the load. Statics ignores it, except the value of an input.
     #[serde(default)]
     pub time: TimeFunction,
 }

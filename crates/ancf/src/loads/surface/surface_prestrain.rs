@@ -38,7 +38,7 @@ pub struct SurfacePrestrain {
     /// Name of a group of elements of a shear-deformable shell; the whole shell by default.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub region: Option<String>,
-    /// Function of time that multiplies strains, tensions and curvatures. Statics ignores it.
+    /// Function of time that multiplies strains, tensions and curvatures. Statics ignores it, except the value of an input.
     #[serde(default)]
     pub time: TimeFunction,
 }

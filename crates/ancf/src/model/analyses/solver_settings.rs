@@ -75,7 +75,7 @@ impl From<Stop> for ancf_solver::newton::StopRule {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(deny_unknown_fields)]
 pub struct EnergyGuard {
-    /// Largest energy that the integration may make. Steps above it are halved, finally rejected.
+    /// Largest energy that the integration may make, relative to the exchanged energy. Steps above it are halved, finally rejected.
     #[unit(number)]
     #[serde(default = "EnergyGuard::gain")]
     #[schemars(extend("exclusiveMinimum" = 0))]

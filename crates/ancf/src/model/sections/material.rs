@@ -79,17 +79,17 @@ pub struct Damping {
     #[unit(time)]
     #[schemars(extend("minimum" = 0))]
     pub stretch: Option<f64>,
-    /// Retardation time of bending, time; `strain` by default. Only for beams as above and cables.
+    /// Retardation time of bending, time; `strain` by default. Only for cables and for beams except `continuum`.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[unit(time)]
     #[schemars(extend("minimum" = 0))]
     pub bending: Option<f64>,
-    /// Retardation time of the shear of beams, time; `strain` by default. Only for beams as above.
+    /// Retardation time of the shear of beams, time; `strain` by default. Only for beams except `continuum`.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[unit(time)]
     #[schemars(extend("minimum" = 0))]
     pub shear: Option<f64>,
-    /// Retardation time of the torsion of beams, time; `strain` by default. Only for beams as above.
+    /// Retardation time of the torsion of beams, time; `strain` by default. Only for beams except `continuum`.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[unit(time)]
     #[schemars(extend("minimum" = 0))]

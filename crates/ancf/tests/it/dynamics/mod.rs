@@ -10,6 +10,7 @@ mod initial_conditions;
 mod newton_methods;
 mod pendulum;
 mod pulses;
+mod restarts;
 mod rigid_bodies;
 mod schemes;
 mod stiff_starts;

@@ -214,7 +214,7 @@ fn contradicting_joints_are_rejected() {
 /// The run finds contradictions of short duration between the instants of the check, which include kinks of formulas.
 #[test]
 fn short_contradictions_fail_the_run() {
-    let jerk = "exp(-((t - 0.10078)/0.0003)^2)";
+    let jerk = "exp(-((t - 0.101)/0.00002)^2)";
     let mut model = short(with(rod::clamped(2, ClampedGradients::Section), [drive("motor", jerk)]));
     rod::settings(&mut model).max_halvings = 2;
     let summary = simulate(&model, &mut Series::new()).unwrap();

@@ -105,7 +105,7 @@ impl EnergyRecord {
 
     /// Returns the largest decrease of the dissipated energy by damping forces that dissipate at both ends of a step. In steps of a fixed
     /// size it is energy that the integration made; a growing step changes the velocities that damping forces act on.
-    pub fn decrease(&self) -> f64 {
+    pub fn hidden(&self) -> f64 {
         self.most_decrease
     }
 

@@ -14,6 +14,10 @@ use crate::contact::parts::{
 use crate::kinematics::ElementAxis;
 use crate::laws::ContactLaw;
 
+/// Gap of near elements, relative to the sum of their radii. The terms of near elements fill the matrix, and a smaller gap requires new
+/// terms more often.
+const MARGIN: f64 = 0.25;
+
 /// Contact search between bodies, including self-contact. A pair is a point and an element, a group is two elements.
 ///
 /// Each point of one body is tested against the elements of the other and vice versa, with half the stiffness each, for
@@ -119,15 +123,14 @@ impl BeamContacts {
         self.elements.iter().map(shape).collect()
     }
 
-    /// Visits the pairs of elements with a gap of at most the sum of their radii, smaller index first.
+    /// Visits the pairs of elements with a gap of at most the margin, smaller index first.
     fn visit_groups(&self, shapes: &[ElementShape], mut visit: impl FnMut([usize; 2])) {
         let boxes = shapes.iter().enumerate().map(|(i, shape)| {
-            // Both radii, and a margin of the same size.
-            AlignedBox::around(&shape.curve.bezier_points(), 2.0 * self.tube(i).radius)
+            AlignedBox::around(&shape.curve.bezier_points(), (1.0 + MARGIN) * self.tube(i).radius)
         });
         let boxes: Vec<AlignedBox> = boxes.collect();
         BoxTree::new(&boxes).visit_pairs(|a, b| {
-            if shapes[a].hull.distance_from(&shapes[b].hull) <= 2.0 * self.radii([a, b]) {
+            if shapes[a].hull.distance_from(&shapes[b].hull) <= (1.0 + MARGIN) * self.radii([a, b]) {
                 visit([a, b]);
             }
         });
@@ -251,12 +254,13 @@ impl ContactSearch for BeamContacts {
         let (shapes, mut near) = (self.shapes(s), Vec::new());
         self.visit_groups(&shapes, |group| {
             let radii = self.radii(group);
-            self.scan(&shapes, group, 2.0 * radii, |elements, i, _, distance| {
+            let limit = (1.0 + MARGIN) * radii;
+            self.scan(&shapes, group, limit, |elements, i, _, distance| {
                 let pair = self.pair(elements, i);
                 if !self.is_joined(pair) {
-                    near.push((pair, distance / radii - 1.0));
+                    near.push((pair, (distance / radii - 1.0) / MARGIN));
                 }
-                2.0 * radii
+                limit
             });
         });
         near.sort_unstable_by_key(|(pair, _)| *pair);
@@ -267,9 +271,10 @@ impl ContactSearch for BeamContacts {
         let (shapes, mut near) = (self.shapes(s), Vec::new());
         self.visit_groups(&shapes, |group| {
             let radii = self.radii(group);
-            let distance = self.distance(&shapes, group, 2.0 * radii);
-            if distance < 2.0 * radii {
-                near.push((group.map(|i| i as u32), distance / radii - 1.0));
+            let limit = (1.0 + MARGIN) * radii;
+            let distance = self.distance(&shapes, group, limit);
+            if distance < limit {
+                near.push((group.map(|i| i as u32), (distance / radii - 1.0) / MARGIN));
             }
         });
         near.sort_unstable_by_key(|(group, _)| *group);

@@ -49,14 +49,21 @@ fn small() -> impl Iterator<Item = String> {
         ["csv", "gltf-json", "nom", "postcard", "quick-xml", "roxmltree", "schemars", "serde_json", "stl_io"];
     let more = [
         "base64",
+        "csv-core",
         "flate2",
         "lz4_flex",
+        "memchr",
         "miniz_oxide",
+        "rayon-core",
+        "sha2",
         "toml",
+        "toml_datetime",
         "toml_edit",
         "toml_parser",
+        "toml_writer",
         "vtkio",
         "winnow",
+        "zmij",
     ];
     let option = |name| format!("profile.release.package.{name}.opt-level=\"s\"");
     let together = ["profile.release.lto=\"fat\"", "profile.release.codegen-units=1"].map(str::to_owned);

@@ -35,7 +35,7 @@ impl Instance {
             (Variable::Input(i), Phase::Instantiated | Phase::Initialization) => self.inputs[i] = value,
             (Variable::Input(i), Phase::Step) => self.set_input(i, value)?,
             (Variable::Parameter(i), Phase::Instantiated | Phase::Initialization) => {
-                self.parameters[i] = value
+                self.parameters[i] = value;
             }
             (Variable::Parameter(_), _) => {
                 return Err(Fault::error(format!(

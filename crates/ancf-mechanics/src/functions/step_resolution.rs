@@ -11,6 +11,8 @@ use super::variation::Variation;
 const REPORTED: f64 = 0.25;
 /// Number of values from which the range is estimated first.
 const SAMPLES: usize = 64;
+/// Number of values within a step.
+const INNER: u32 = 7;
 /// Largest number of groups of steps.
 const GROUPS: usize = 20_000;
 /// Largest numbers of parts in the search for switches, and of switches.
@@ -68,17 +70,38 @@ impl Function {
                 continue;
             }
             for [from, to] in parts([time(first), time(end)], &switches) {
-                let Some(variation) = self.unseen_variation(from, to, step) else { continue };
-                let value = self.value(variation.at);
-                include(&mut range, value);
-                let ends = Interval::between(self.value(from), self.value(to));
-                let beyond = (value - ends.upper).max(ends.lower - value);
-                if beyond > limit(&range) {
-                    return Some(Variation { deviation: beyond, ..variation });
+                let Some(variation) = self.variation_beyond_ends(from, to, step) else { continue };
+                include(&mut range, self.value(variation.at));
+                if variation.deviation > limit(&range) {
+                    return Some(variation);
                 }
             }
         }
         None
+    }
+
+    /// Returns the variation within a step with the deviation beyond the values at its ends, if there is one: an unseen one, or one
+    /// that the rates at the ends show, such as the arc between two zeros of a sine.
+    fn variation_beyond_ends(&self, from: f64, to: f64, step: f64) -> Option<Variation> {
+        let ends = Interval::between(self.value(from), self.value(to));
+        let beyond = |t: f64| {
+            let value = self.value(t);
+            (value - ends.upper).max(ends.lower - value).max(0.0)
+        };
+        if let Some(variation) = self.unseen_variation(from, to, step) {
+            return Some(Variation { deviation: beyond(variation.at), ..variation });
+        }
+        let sample = |k: u32| from + (to - from) * f64::from(k) / f64::from(INNER + 1);
+        let (mut at, mut deviation, mut sum) = (from, 0.0, 0.0);
+        for t in (1..=INNER).map(sample) {
+            let own = beyond(t);
+            sum += own;
+            if own > deviation {
+                (at, deviation) = (t, own);
+            }
+        }
+        let width = (to - from) / f64::from(INNER + 1) * sum / deviation;
+        (deviation > 0.0).then_some(Variation { at, deviation, width })
     }
 
     /// True if a formula jumps within a duration.

@@ -169,3 +169,21 @@ fn switches_of_formulas_are_found() {
         assert_eq!([f.value(found[0].next_down()), f.value(found[0])], [0.0, 1.0], "{text}");
     }
 }
+
+/// Steps of a fixed size end at kinks. The arc from kink to kink is unresolved, since its ends are zero; four steps per arc resolve it.
+#[test]
+fn arcs_between_kinks_are_unresolved() {
+    let arcs = formula("abs(sin(100*pi*t))");
+    for step in [0.01, 0.02, 0.013] {
+        let found = arcs.unresolved_variation([0.0, 1.0], step).unwrap();
+        assert!((found.deviation - 1.0).abs() < 0.05 && found.width < 0.01, "{step}: {found:?}");
+    }
+    assert_eq!(arcs.unresolved_variation([0.0, 1.0], 2.5e-3), None);
+    for (steps, is_resolved) in [(2.0, false), (5.0, true)] {
+        let sine = Function::Sine { frequency: 1.0, phase: 0.0 };
+        let found = sine.unresolved_variation([0.0, 10.0], 1.0 / steps);
+        assert_eq!(found.is_none(), is_resolved, "{steps} steps per period: {found:?}");
+    }
+    // A pulse between jumps is resolved, since steps end there.
+    assert_eq!(formula("(t >= 0.3)*(t < 0.302)").unresolved_variation([0.0, 1.0], 0.1), None);
+}

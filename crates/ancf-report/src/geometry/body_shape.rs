@@ -95,7 +95,7 @@ pub struct BodyShape {
     /// Factors of y and z of the outline at each station of a tapered body.
     pub scale: Option<Vec<[f64; 2]>>,
     /// Factor of the bore at each station of a tapered tube.
-    pub bore: Option<Vec<[f64; 1]>>,
+    pub bore: Option<Vec<f64>>,
     /// Grid of the stations of a shell.
     pub grid: Option<SurfaceGrid>,
     /// Stations at nodes of the mesh, counted from the first station of the body.
@@ -141,7 +141,7 @@ impl BodyShape {
             kind: BodyKind::of(body),
             stations,
             scale: taper(model, body, count, |outline| outline.half_extents),
-            bore: taper(model, body, count, |outline| [outline.bore()]),
+            bore: taper(model, body, count, |outline| [outline.bore()]).map(Vec::into_flattened),
             outline,
             grid: grid(body, parts),
             nodes: nodes(body, parts, count),
@@ -166,7 +166,7 @@ impl BodyShape {
 
     /// Factor of the bore of a tube at a station, counted from the first station of the body.
     pub fn bore_at(&self, station: usize) -> f64 {
-        self.bore.as_ref().and_then(|bore| bore.get(station)).map_or(1.0, |[factor]| *factor)
+        self.bore.as_ref().and_then(|bore| bore.get(station).copied()).unwrap_or(1.0)
     }
 
     /// Factors of y and z, or of the thickness, at a station, counted from the first station of the body.

@@ -43,7 +43,7 @@ fn max_distance(shape: &BodyShape) -> f64 {
 pub(super) fn body(shape: &BodyShape, blob: &mut Blob) -> Value {
     let outline = shape.outline.as_ref();
     let scale = shape.scale.as_ref().map(|scale| blob.f32(scale.iter().flatten().copied()));
-    let bore = shape.bore.as_ref().map(|bore| blob.f32(bore.iter().flatten().copied()));
+    let bore = shape.bore.as_ref().map(|bore| blob.f32(bore.iter().copied()));
     let first = shape.stations.start;
     let nodes: Vec<usize> = shape.nodes.iter().map(|node| first + node).collect();
     json!({

@@ -108,14 +108,7 @@ impl<E: EquationsOfMotion> TimeStepper<'_, E> {
     fn restart_after(&mut self, h: f64, t: f64) -> Result<(), SolveError> {
         self.revertible(|own| {
             let before = own.motion.energy;
-            let weights = own.scheme.weights(own.motion.h);
-            let Newton { tangent, z, .. } = &mut own.newton;
-            let (matrix, factor) = tangent.lend();
-            if own.motion.h > 0.0 {
-                // The error of the velocities along the constraints; those of a jump follow at its time.
-                let part = Projected::SlowVelocities(weights);
-                let _ = project(&*own.eom, matrix, factor, &mut own.motion.state, part, z);
-            }
+            own.remove_velocity_error();
             own.move_by_series(h, t)?;
             let Newton { tangent, z, .. } = &mut own.newton;
             let (matrix, factor) = tangent.lend();
@@ -177,6 +170,16 @@ impl<E: EquationsOfMotion> TimeStepper<'_, E> {
             }
         }
         done
+    }
+
+    /// Removes the error of the velocities along constraints at the end of a step. It remains if the iteration matrix is singular.
+    fn remove_velocity_error(&mut self) {
+        if self.motion.h > 0.0 {
+            let part = Projected::SlowVelocities(self.scheme.weights(self.motion.h));
+            let Newton { tangent, z, .. } = &mut self.newton;
+            let (matrix, factor) = tangent.lend();
+            let _ = project(&*self.eom, matrix, factor, &mut self.motion.state, part, z);
+        }
     }
 
     /// Moves positions and velocities by a Taylor series over the distance h to the time t.

@@ -28,8 +28,9 @@ impl PassedEvents {
 impl Events {
     /// Creates the events of an analysis.
     pub(super) fn new(assembly: &Assembly, [start, end]: [f64; 2], tolerance: f64) -> Self {
-        let (times, passed) = (assembly.breaks().to_vec(), PassedEvents(start + tolerance));
-        Self { times, known: end, passed, tolerance }
+        let mut times = assembly.breaks().to_vec();
+        times.dedup_by(|a, b| (*a - *b).abs() <= tolerance);
+        Self { times, known: end, passed: PassedEvents(start + tolerance), tolerance }
     }
 
     /// Adds the switches of formulas up to a time.

@@ -105,6 +105,16 @@ impl BeamContacts {
         self.tube(a).radius + self.tube(b).radius
     }
 
+    /// Returns the distance up to which the axes of two elements are near.
+    fn limit(&self, group: [usize; 2]) -> f64 {
+        (1.0 + MARGIN) * self.radii(group)
+    }
+
+    /// Returns the gap for a distance of the axes of two elements, relative to the margin.
+    fn gap(&self, group: [usize; 2], distance: f64) -> f64 {
+        (distance / self.radii(group) - 1.0) / MARGIN
+    }
+
     /// Returns the pair of point i of an element and another element.
     fn pair(&self, [of_point, other]: [usize; 2], i: usize) -> ContactPair {
         let (body, k) = self.elements[of_point];
@@ -130,7 +140,7 @@ impl BeamContacts {
         });
         let boxes: Vec<AlignedBox> = boxes.collect();
         BoxTree::new(&boxes).visit_pairs(|a, b| {
-            if shapes[a].hull.distance_from(&shapes[b].hull) <= (1.0 + MARGIN) * self.radii([a, b]) {
+            if shapes[a].hull.distance_from(&shapes[b].hull) <= self.limit([a, b]) {
                 visit([a, b]);
             }
         });
@@ -253,12 +263,11 @@ impl ContactSearch for BeamContacts {
     fn near(&self, s: &State) -> Vec<(ContactPair, f64)> {
         let (shapes, mut near) = (self.shapes(s), Vec::new());
         self.visit_groups(&shapes, |group| {
-            let radii = self.radii(group);
-            let limit = (1.0 + MARGIN) * radii;
+            let limit = self.limit(group);
             self.scan(&shapes, group, limit, |elements, i, _, distance| {
                 let pair = self.pair(elements, i);
                 if !self.is_joined(pair) {
-                    near.push((pair, (distance / radii - 1.0) / MARGIN));
+                    near.push((pair, self.gap(group, distance)));
                 }
                 limit
             });
@@ -270,11 +279,10 @@ impl ContactSearch for BeamContacts {
     fn near_groups(&self, s: &State) -> Vec<(ContactGroup, f64)> {
         let (shapes, mut near) = (self.shapes(s), Vec::new());
         self.visit_groups(&shapes, |group| {
-            let radii = self.radii(group);
-            let limit = (1.0 + MARGIN) * radii;
+            let limit = self.limit(group);
             let distance = self.distance(&shapes, group, limit);
             if distance < limit {
-                near.push((group.map(|i| i as u32), (distance / radii - 1.0) / MARGIN));
+                near.push((group.map(|i| i as u32), self.gap(group, distance)));
             }
         });
         near.sort_unstable_by_key(|(group, _)| *group);

@@ -68,11 +68,11 @@ impl FastFilter {
     ) -> Result<Vec<f64>, SolveError> {
         let (matrix, factor) = newton.tangent.lend();
         factorise(eom, matrix, factor, s, w)?;
-        let mut forces = linear_forces(eom, newton, s, &difference(&s.a, &self.reference));
-        if let Some(interval) = self.interval {
-            let changes = force_changes(eom, s, interval, w);
-            forces.iter_mut().zip(&changes).for_each(|(force, change)| *force += change);
-        }
+        let linear = linear_forces(eom, newton, s, &difference(&s.a, &self.reference));
+        let forces = match self.interval {
+            Some(interval) => force_changes(eom, s, &linear, interval, w),
+            None => linear,
+        };
         fast_part(eom, newton, s, &forces, w)
     }
 
@@ -147,8 +147,7 @@ fn part_of_differences<E: EquationsOfMotion>(
     let mut last: Option<Vec<f64>> = None;
     for k in 0..INTERVALS {
         let interval = h * FIRST * REFINEMENT.powi(k);
-        let mut forces = force_changes(eom, s, interval, w);
-        forces.iter_mut().zip(linear).for_each(|(force, linear)| *force += linear);
+        let forces = force_changes(eom, s, linear, interval, w);
         if forces.iter().any(|force| !force.is_finite()) {
             continue;
         }
@@ -166,8 +165,15 @@ fn part_of_differences<E: EquationsOfMotion>(
     Ok(None)
 }
 
-/// Computes w_q f_qq(v, v) + w_v F_q v from one-sided differences of the interval `delta` along a straight line.
-fn force_changes<E: EquationsOfMotion>(eom: &E, s: &State, delta: f64, w: Weights) -> Vec<f64> {
+/// Computes the sum of `linear`, (S − M) v̇, and of w_q f_qq(v, v) + w_v F_q v from one-sided differences of the interval `delta` along
+/// a straight line.
+fn force_changes<E: EquationsOfMotion>(
+    eom: &E,
+    s: &State,
+    linear: &[f64],
+    delta: f64,
+    w: Weights,
+) -> Vec<f64> {
     let [mut sum, mut residual, mut damping] = [(); 3].map(|()| vec![0.0; s.q.len() + s.lambda.len()]);
     let [second, first] = [w.q / (delta * delta), w.v / (2.0 * delta)];
     for (steps, of) in [(0.0, [1.0, -3.0]), (1.0, [-2.0, 4.0]), (2.0, [1.0, -1.0])] {
@@ -180,5 +186,6 @@ fn force_changes<E: EquationsOfMotion>(eom: &E, s: &State, delta: f64, w: Weight
             *sum += of[0] * second * (residual[i] - damping[i]) + of[1] * first * damping[i];
         }
     }
+    sum.iter_mut().zip(linear).for_each(|(sum, linear)| *sum += linear);
     sum
 }

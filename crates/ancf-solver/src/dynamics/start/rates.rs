@@ -130,12 +130,12 @@ fn rates<E: EquationsOfMotion>(
     (fast, damping): (&FastMotions, &[f64]),
     (delta, h, w): (f64, f64, Weights),
 ) -> Result<Rates, SolveError> {
-    let [speed, acceleration] = magnitudes(eom, newton, s, [&s.v, &s.a]);
     let (mut near, mut near_damping) = state_ahead(eom, newton, s, delta)?;
     let (mut far, mut far_damping) = state_ahead(eom, newton, s, 2.0 * delta)?;
     let mut start = sum(&s.a, &fast.acceleration);
     let mut start_damping = sum(damping, &fast.damping);
-    let [change] = magnitudes(eom, newton, s, [&difference(&near.a, &start)]);
+    let change = difference(&near.a, &start);
+    let [change, speed, acceleration] = magnitudes(eom, newton, s, [&change, &s.v, &s.a]);
     let is_large = h * h / delta * change > ACCEPTED * (speed + h * acceleration);
     if speed > 0.0 && (is_large || fast.filter.is_active) {
         fast.filter.remove(eom, newton, (&mut near, &mut near_damping), w)?;

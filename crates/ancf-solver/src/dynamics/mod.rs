@@ -23,6 +23,8 @@ pub use energy_guard::{EnergyGuard, EnergyRecord};
 pub use errors::MotionErrors;
 pub use integration_state::{CheckpointMismatch, StepperCheckpoint};
 pub use scheme::SchemeCoefficients;
-pub use start::{consistent_accelerations, consistent_positions, consistent_velocities};
+pub use start::{
+    consistent_accelerations, consistent_positions, consistent_velocities, remove_velocity_error,
+};
 pub use step_report::StepReport;
 pub use time_stepper::TimeStepper;

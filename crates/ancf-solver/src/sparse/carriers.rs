@@ -1,4 +1,4 @@
-use super::index_lists::IndexLists;
+use super::graph::IndexLists;
 
 /// Row of Φ_q in the reference configuration with columns scaled by M_cc^(−1/2), as pairs of coordinate and entry.
 ///

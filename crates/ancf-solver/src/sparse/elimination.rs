@@ -1,5 +1,5 @@
 use super::amalgamation::merged;
-use super::index_lists::IndexLists;
+use super::graph::IndexLists;
 use super::ordering::Ranks;
 use super::supernodes::{RowRun, Supernode, Supernodes};
 use super::symbolic::{NO_PARENT, symbolic};

@@ -3,7 +3,7 @@
 mod amalgamation;
 mod carriers;
 mod elimination;
-mod index_lists;
+mod graph;
 mod matrix;
 mod ordering;
 mod pattern;
@@ -14,7 +14,7 @@ mod supernodes;
 mod symbolic;
 
 pub(crate) use carriers::ConstraintRow;
-pub(crate) use index_lists::IndexLists;
+pub(crate) use graph::IndexLists;
 pub use matrix::SparseMatrix;
 pub(crate) use pattern::Border;
 pub use pattern::{FactorStorage, Pattern};

@@ -1,12 +1,8 @@
 use std::cmp::Reverse;
 use std::iter;
 
-use faer::dyn_stack::{MemBuffer, MemStack};
-use faer::sparse::SymbolicSparseColMatRef;
-use faer::sparse::linalg::amd;
-
 use super::carriers::{ConstraintRow, carried_places};
-use super::index_lists::IndexLists;
+use super::graph::{IndexLists, WeightedGraph, minimum_degree, nested_dissection};
 
 /// Massless coordinates of a term and the multipliers that determine them.
 pub(crate) type Massless = (Vec<usize>, std::ops::Range<usize>);
@@ -20,16 +16,24 @@ pub(crate) struct Ranks {
     pub(crate) labels: Vec<u32>,
 }
 
+/// Order of groups that are on no tree.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum CoreOrder {
+    MinimumDegree,
+    NestedDissection,
+}
+
 impl Ranks {
     /// Ranks the unknowns of a sum of dense blocks, with the row of each multiplier.
     pub(crate) fn new(
+        core: CoreOrder,
         coordinates: usize,
         rows: &[ConstraintRow],
         blocks: &IndexLists,
         massless: &[Massless],
     ) -> Self {
         let multipliers = rows.len();
-        let groups = ordered_groups(coordinates, blocks);
+        let groups = ordered_groups(core, coordinates, blocks);
         let mut rank = vec![None; coordinates];
         groups.iter().flatten().zip(0..).for_each(|(&c, place)| rank[c as usize] = Some(place));
         let carried = carried_places(&groups, &rank, blocks, rows);
@@ -98,10 +102,12 @@ fn last_coordinates(multipliers: usize, blocks: &IndexLists, rank: &[Option<u32>
 }
 
 /// Computes the groups of coordinates in the order of elimination.
-fn ordered_groups(coordinates: usize, blocks: &IndexLists) -> IndexLists {
+fn ordered_groups(core: CoreOrder, coordinates: usize, blocks: &IndexLists) -> IndexLists {
     let (group_of, count) = groups(coordinates, blocks);
+    let mut sizes = vec![0; count];
+    group_of.iter().for_each(|&group| sizes[group as usize] += 1);
     let mut turn = vec![0; count];
-    for (group, at) in elimination(&graph(&group_of, count, blocks)).into_iter().zip(0..) {
+    for (group, at) in elimination(core, &graph(&group_of, count, blocks), &sizes).into_iter().zip(0..) {
         turn[group as usize] = at;
     }
     IndexLists::by_key(count, group_of.iter().zip(0..).map(|(&group, c)| (turn[group as usize], c)))
@@ -204,9 +210,9 @@ fn graph(group_of: &[u32], count: usize, blocks: &IndexLists) -> IndexLists {
         .collect()
 }
 
-/// Computes the elimination order of a graph: leaves from all sides, so that trees end at their centre, then minimum
-/// degree.
-fn elimination(graph: &IndexLists) -> Vec<u32> {
+/// Computes the elimination order of a graph: leaves from all sides, so that trees end at their centre, then the core. `sizes` are the
+/// numbers of coordinates of the vertices.
+fn elimination(of_core: CoreOrder, graph: &IndexLists, sizes: &[u32]) -> Vec<u32> {
     let mut degree: Vec<usize> = graph.iter().map(<[u32]>::len).collect();
     let (mut order, mut is_out) = (Vec::with_capacity(graph.len()), vec![false; graph.len()]);
     let mut leaves: Vec<u32> = (0..graph.len() as u32).filter(|&g| degree[g as usize] <= 1).collect();
@@ -225,32 +231,12 @@ fn elimination(graph: &IndexLists) -> Vec<u32> {
         leaves = next;
     }
     let core: Vec<u32> = (0..graph.len() as u32).filter(|&g| !is_out[g as usize]).collect();
-    order.extend(minimum_degree(graph, &core).into_iter().map(|at| core[at]));
+    match of_core {
+        CoreOrder::MinimumDegree => order.extend(minimum_degree(graph, &core).into_iter().map(|at| core[at])),
+        CoreOrder::NestedDissection => {
+            let part = WeightedGraph::part_of(graph, sizes, &core);
+            order.extend(nested_dissection(&part).into_iter().map(|at| core[at as usize]));
+        }
+    }
     order
-}
-
-/// Computes the approximate minimum degree order of a part of a graph.
-fn minimum_degree(graph: &IndexLists, part: &[u32]) -> Vec<usize> {
-    let count = part.len();
-    if count == 0 {
-        return Vec::new();
-    }
-    let mut place = vec![usize::MAX; graph.len()];
-    part.iter().enumerate().for_each(|(at, &g)| place[g as usize] = at);
-    let (mut columns, mut rows) = (vec![0], Vec::new());
-    for (at, &g) in part.iter().enumerate() {
-        let others = graph[g as usize].iter().map(|&other| place[other as usize]);
-        let start = rows.len();
-        rows.push(at);
-        rows.extend(others.filter(|&other| other != usize::MAX));
-        rows[start..].sort_unstable();
-        columns.push(rows.len());
-    }
-    let graph = SymbolicSparseColMatRef::new_checked(count, count, &columns, None, &rows);
-    let (mut order, mut inverse) = (vec![0; count], vec![0; count]);
-    let mut memory = MemBuffer::new(amd::order_scratch::<usize>(count, rows.len()));
-    let done =
-        amd::order(&mut order, &mut inverse, graph, amd::Control::default(), MemStack::new(&mut memory));
-    // AMD fails only on index overflow. The natural order is then used.
-    if done.is_ok() { order } else { (0..count).collect() }
 }

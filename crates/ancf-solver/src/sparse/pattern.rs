@@ -1,13 +1,14 @@
 use super::carriers::ConstraintRow;
 use super::elimination::EliminationOrder;
-use super::index_lists::IndexLists;
-use super::ordering::{Massless, Ranks};
+use super::graph::IndexLists;
+use super::ordering::{CoreOrder, Massless, Ranks};
 use super::supernodes::Supernodes;
 
 /// Sparsity pattern of a symmetric matrix, ordered for LDLᵀ without pivoting.
 ///
 /// Coordinates are ordered on the graph of *groups*. A group contains coordinates with the same terms, such as those of
-/// a node. Trees of groups are eliminated from their leaves, and the remainder by minimum degree. Each multiplier
+/// a node. Trees of groups are eliminated from their leaves, and the remainder by minimum degree or by nested dissection, whichever
+/// takes fewer operations. Each multiplier
 /// follows the first group that can carry it. Its Schur complement is then negative definite. Massless coordinates follow
 /// the multipliers that determine them, and their Schur complement is positive.
 ///
@@ -34,6 +35,10 @@ pub struct Pattern {
     without_stiffness: Vec<usize>,
     factor_storage: FactorStorage,
 }
+
+/// Products of a factorisation per supernode above which the dissection of the groups is tried, which takes as long as some of these
+/// factorisations.
+const DISSECTED: f64 = 5e4;
 
 /// Part of the factors of a matrix that is stored.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -68,8 +73,16 @@ impl Pattern {
         blocks: &IndexLists,
         massless: &[Massless],
     ) -> Self {
-        let ranks = Ranks::new(coordinates, rows, blocks, massless);
-        let EliminationOrder { order, supernodes } = EliminationOrder::new(&ranks, blocks);
+        let elimination =
+            |core| EliminationOrder::new(&Ranks::new(core, coordinates, rows, blocks, massless), blocks);
+        let mut best = elimination(CoreOrder::MinimumDegree);
+        if best.supernodes.products() > DISSECTED * best.supernodes.list.len() as f64 {
+            let other = elimination(CoreOrder::NestedDissection);
+            if other.supernodes.products() < best.supernodes.products() {
+                best = other;
+            }
+        }
+        let EliminationOrder { order, supernodes } = best;
         let mut position = vec![0; order.len()];
         for (&unknown, at) in order.iter().zip(0..) {
             position[unknown as usize] = at;

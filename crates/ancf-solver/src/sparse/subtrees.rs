@@ -158,7 +158,7 @@ pub(crate) fn process_subtrees<S: Send, P: Send>(
 
 #[cfg(test)]
 mod tests {
-    use super::super::index_lists::IndexLists;
+    use crate::sparse::graph::IndexLists;
     use super::super::pattern::Pattern;
     use super::*;
 

@@ -193,16 +193,19 @@ impl Supernodes {
     ///
     /// A column of h rows takes h²/2 products in the factorisation and 2 h in the substitution.
     pub(crate) fn factor_cost(&self) -> f64 {
-        let (mut factorisation, mut substitution) = (0.0, 0.0);
-        for supernode in &self.list {
-            let height = f64::from(supernode.columns + supernode.below);
-            for j in 0..supernode.columns {
-                let rows = height - f64::from(j);
-                factorisation += 0.5 * rows * rows;
-                substitution += 2.0 * rows;
-            }
-        }
-        if substitution > 0.0 { factorisation / substitution } else { 0.0 }
+        let substitution: f64 = self.heights().map(|rows| 2.0 * rows).sum();
+        if substitution > 0.0 { self.products() / substitution } else { 0.0 }
+    }
+
+    /// Returns the products of a factorisation.
+    pub(crate) fn products(&self) -> f64 {
+        self.heights().map(|rows| 0.5 * rows * rows).sum()
+    }
+
+    /// Returns the heights of all columns.
+    fn heights(&self) -> impl Iterator<Item = f64> {
+        let of = |supernode: &Supernode| (supernode.below + 1..=supernode.below + supernode.columns).rev();
+        self.list.iter().flat_map(of).map(f64::from)
     }
 
     /// Returns the number of values of a matrix.

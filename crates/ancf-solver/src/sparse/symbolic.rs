@@ -1,4 +1,4 @@
-use super::index_lists::IndexLists;
+use super::graph::IndexLists;
 use super::ordering::Ranks;
 
 /// Marker of a missing parent.

@@ -10,4 +10,10 @@ impl PseudoRandom {
         let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
         ((mixed ^ (mixed >> 31)) >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
     }
+
+    /// Returns an index below a number of items.
+    pub(crate) fn below(&mut self, count: usize) -> usize {
+        let share = 0.5 * (self.number() + 1.0);
+        ((share * count as f64) as usize).min(count - 1)
+    }
 }

@@ -1,5 +1,6 @@
 //! Initial velocities.
 
+use ancf_solver::dynamics::{SchemeCoefficients, remove_velocity_error};
 use ancf_solver::equations::State;
 use nalgebra::Vector3;
 
@@ -11,6 +12,21 @@ impl Assembly {
     /// ([`consistent_velocities`](ancf_solver::dynamics::consistent_velocities)). `model` is the assembled model.
     pub fn start(&self, model: &Model) -> State {
         self.with_motions(self.initial(), model)
+    }
+
+    /// State of a motion with velocities that satisfy its constraints, without the error of steps h of a scheme. `None` if the matrix of
+    /// the steps is singular.
+    ///
+    /// A motion may end at a jump of a drive. The velocities are those before the jump.
+    pub(crate) fn without_velocity_error(
+        &self,
+        s: &State,
+        scheme: SchemeCoefficients,
+        h: f64,
+    ) -> Option<State> {
+        let mut before = State { t: s.t.next_down(), ..s.clone() };
+        remove_velocity_error(&self.system, &mut self.system.matrix(), &mut before, (scheme, h)).ok()?;
+        Some(State { t: s.t, ..before })
     }
 
     /// State with the initial velocities of the bodies of the model added.

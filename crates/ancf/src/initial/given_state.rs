@@ -4,6 +4,7 @@ use nalgebra::Vector3;
 
 use crate::assembly::Assembly;
 use crate::errors::{ModelError, ModelErrors, quoted};
+use crate::joints::RecordedCoordinate;
 use crate::units::{Dimension, Scales};
 
 /// State given for the start of a motion, by body and joint, in the user's units.
@@ -13,7 +14,7 @@ pub struct GivenState {
     source: String,
     bodies: Vec<GivenBody>,
     joints: Vec<GivenJoint>,
-    /// Angles whose turns a state does not contain, by their columns.
+    /// Angles with their full turns, by their columns. The structure at the start may have them as coordinates or not.
     angles: Vec<(String, f64)>,
 }
 
@@ -70,13 +71,22 @@ impl GivenState {
                 states: joint.states.iter().copied().map(value).collect(),
             }
         });
-        Self { source, bodies: bodies.collect(), joints: joints.collect(), angles: Vec::new() }
+        let recorded = assembly.joint_coordinates();
+        let angles = recorded.filter(|(_, own)| own.is_angle() && own.coordinate.is_some());
+        let value = |(joint, own): (&str, &RecordedCoordinate)| (own.column(joint), own.at(state)[0]);
+        Self {
+            source,
+            bodies: bodies.collect(),
+            joints: joints.collect(),
+            angles: angles.map(value).collect(),
+        }
     }
 
-    /// Sets the values of angles with their full turns, by their columns ([`Simulation::counted_angles`](crate::Simulation::counted_angles)).
+    /// Adds the values of angles with their full turns, by their columns ([`Simulation::counted_angles`](crate::Simulation::counted_angles)).
     #[must_use]
-    pub fn with_angles(self, angles: impl IntoIterator<Item = (String, f64)>) -> Self {
-        Self { angles: angles.into_iter().collect(), ..self }
+    pub fn with_angles(mut self, angles: impl IntoIterator<Item = (String, f64)>) -> Self {
+        self.angles.extend(angles);
+        self
     }
 
     /// Angles with their full turns.

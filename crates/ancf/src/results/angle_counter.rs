@@ -42,14 +42,9 @@ fn wrapping(assembly: &Assembly) -> impl Iterator<Item = (&str, &RecordedCoordin
     assembly.joint_coordinates().filter(|(_, coordinate)| coordinate.wraps())
 }
 
-/// Column of an angle.
-fn column_of(joint: &str, angle: &RecordedCoordinate) -> String {
-    format!("{joint}.{}", angle.columns()[0])
-}
-
 /// Columns of the angles whose turns are counted.
 pub(crate) fn counted_angles(assembly: &Assembly) -> Vec<String> {
-    wrapping(assembly).map(|(joint, angle)| column_of(joint, angle)).collect()
+    wrapping(assembly).map(|(joint, angle)| angle.column(joint)).collect()
 }
 
 impl AngleCounter {
@@ -63,7 +58,7 @@ impl AngleCounter {
     /// Sets the angles before the first state, by their columns.
     pub(crate) fn start(&mut self, given: &[(String, f64)]) {
         for ((joint, angle), last) in self.angles.iter().zip(&mut self.history.angles) {
-            let column = column_of(joint, angle);
+            let column = angle.column(joint);
             if let Some((_, value)) = given.iter().find(|(name, _)| *name == column) {
                 *last = [*value, 0.0];
             }

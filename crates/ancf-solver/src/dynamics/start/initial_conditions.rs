@@ -1,3 +1,4 @@
+use crate::dynamics::scheme::SchemeCoefficients;
 use crate::equations::{EquationsOfMotion, Level, State, Weights};
 use crate::factor::Factor;
 use crate::newton::{SolveError, SolveFailure};
@@ -31,6 +32,24 @@ pub fn consistent_velocities<E: EquationsOfMotion>(
 ) -> Result<(), SolveError> {
     let (mut factor, mut rhs) = storage(matrix)?;
     project(eom, matrix, &mut factor, s, Projected::Velocities, &mut rhs).map(|_| ())
+}
+
+/// Removes the error of order h² of the velocities along constraints at the end of steps h of a scheme.
+///
+/// [S, Φ_qᵀ; Φ_q, 0] (Δv, ·) = −(0, Φ_q v + Φ_t) with the iteration matrix S of the steps. A projection in the norm of the kinetic
+/// energy would change light coordinates, such as slopes, and with them the strain rates of damped sections.
+///
+/// # Errors
+/// If the matrix is singular. The state is then unchanged.
+pub fn remove_velocity_error<E: EquationsOfMotion>(
+    eom: &E,
+    matrix: &mut SparseMatrix,
+    s: &mut State,
+    (scheme, h): (SchemeCoefficients, f64),
+) -> Result<(), SolveError> {
+    let (mut factor, mut rhs) = storage(matrix)?;
+    let part = Projected::SlowVelocities(scheme.weights(h));
+    project(eom, matrix, &mut factor, s, part, &mut rhs).map(|_| ())
 }
 
 /// Largest number of iterations of a projection of positions.

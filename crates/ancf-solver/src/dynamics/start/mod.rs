@@ -9,4 +9,6 @@ mod rates;
 
 pub(crate) use first_step::{StartValues, start_values};
 pub(crate) use initial_conditions::{Factors, Projected, accelerations, project, solve, solve_again};
-pub use initial_conditions::{consistent_accelerations, consistent_positions, consistent_velocities};
+pub use initial_conditions::{
+    consistent_accelerations, consistent_positions, consistent_velocities, remove_velocity_error,
+};

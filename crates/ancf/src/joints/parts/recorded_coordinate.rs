@@ -67,9 +67,19 @@ impl RecordedCoordinate {
         }
     }
 
+    /// Column of the value, for the name of its joint.
+    pub(crate) fn column(&self, joint: &str) -> String {
+        format!("{joint}.{}", self.columns()[0])
+    }
+
+    /// True if the value is an angle.
+    pub(crate) const fn is_angle(&self) -> bool {
+        matches!(self.source, Source::Angle { .. } | Source::Projection(_))
+    }
+
     /// True if the value is an angle in the range from −π to π.
     pub const fn wraps(&self) -> bool {
-        matches!(self.source, Source::Angle { .. } | Source::Projection(_)) && self.coordinate.is_none()
+        self.is_angle() && self.coordinate.is_none()
     }
 
     /// Value and rate in a state.

@@ -155,6 +155,19 @@ impl Step {
             Self::Adaptive { .. } => None,
         }
     }
+
+    /// Fixed step size, or a size of the order of adaptive steps.
+    pub(crate) fn typical(&self, duration: f64) -> f64 {
+        match *self {
+            Self::Fixed(step) => step,
+            Self::Adaptive { initial, largest, .. } => {
+                initial.unwrap_or(Self::TYPICAL * duration).min(largest.unwrap_or(duration))
+            }
+        }
+    }
+
+    /// Order of adaptive steps, relative to the duration.
+    const TYPICAL: f64 = 1e-3;
 }
 
 /// Time integration scheme, by name or by parameters.

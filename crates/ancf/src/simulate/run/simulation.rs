@@ -86,7 +86,20 @@ impl Simulation {
 
     /// State of this simulation in the user's units, from which a simulation of the same structure can start. `source` describes
     /// it, for messages and reports.
+    ///
+    /// Its velocities satisfy the constraints of this simulation, without the error of its time steps. A simulation with the same joints
+    /// thus starts without impulses.
     pub fn given_state(&self, state: &State, source: impl Into<String>) -> GivenState {
+        let mut consistent = None;
+        if let Some(motion) = self.scaled.analysis.dynamics() {
+            let assembly = &self.assembly;
+            consistent = assembly.without_velocity_error(
+                state,
+                motion.scheme.numbers(),
+                motion.step.typical(motion.duration),
+            );
+        }
+        let state = consistent.as_ref().unwrap_or(state);
         GivenState::new(&self.assembly, self.scales(), state, source.into())
     }
 

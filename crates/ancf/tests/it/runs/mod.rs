@@ -3,6 +3,7 @@
 mod alignments;
 mod body_motion;
 pub(crate) mod checkpoints;
+mod continued_motions;
 mod equilibrium_starts;
 mod extensions;
 mod failures;

@@ -1,4 +1,4 @@
-use std::ops::Index;
+use std::ops::{Index, Range};
 
 /// Lists of indices in contiguous storage.
 #[derive(Clone, Debug)]
@@ -32,6 +32,11 @@ impl IndexLists {
         Self { starts, items }
     }
 
+    /// Returns the range of a list among the items of all lists.
+    pub(crate) fn range(&self, list: usize) -> Range<usize> {
+        self.starts[list]..self.starts[list + 1]
+    }
+
     /// Returns the number of lists.
     pub(crate) fn len(&self) -> usize {
         self.starts.len() - 1
@@ -47,7 +52,7 @@ impl Index<usize> for IndexLists {
     type Output = [u32];
 
     fn index(&self, i: usize) -> &[u32] {
-        &self.items[self.starts[i]..self.starts[i + 1]]
+        &self.items[self.range(i)]
     }
 }
 

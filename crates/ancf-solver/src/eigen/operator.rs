@@ -31,6 +31,9 @@ pub enum EigenError {
     /// The limit of restarts was reached.
     #[error("the eigenvalues did not converge")]
     NotConverged,
+    /// An eigenvalue is of the order of its rounding error.
+    #[error("an eigenvalue is not known beyond its rounding error: a motion has hardly any stiffness")]
+    Unresolved,
     /// The inertia of the shifted matrix contradicts the computed eigenvalues.
     #[error(
         "the number of computed eigenvalues differs from their number by the inertia of the shifted matrix"

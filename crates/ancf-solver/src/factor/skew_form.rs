@@ -4,6 +4,8 @@ use crate::vectors::PseudoRandom;
 
 /// Number of motions on which the form is examined.
 const EXAMINED: usize = 4;
+/// Number of refinements of each motion. Coordinates that the constraints hold are rounding errors of all others before.
+const REFINEMENTS: usize = 2;
 /// Form yᵀ A w, relative to the sum of the absolute values of its terms, that is zero but for rounding errors.
 const ROUNDING: f64 = 1e-11;
 /// Form of coordinates that the constraints hold, relative to that of the largest coordinates.
@@ -28,9 +30,14 @@ pub fn is_zero_on_motions(
     }
     let mut random = PseudoRandom(31);
     let motion = |_| {
-        let mut x = vec![0.0; matrix.pattern().size()];
-        x[..coordinates].fill_with(|| random.number());
-        factor.solve(matrix, &mut x).map(|()| x)
+        let mut force = vec![0.0; matrix.pattern().size()];
+        force[..coordinates].fill_with(|| random.number());
+        let mut x = force.clone();
+        factor.solve(matrix, &mut x)?;
+        for _ in 0..REFINEMENTS {
+            x = factor.refined(matrix, &force, &x)?;
+        }
+        Ok::<_, SingularMatrix>(x)
     };
     let motions = (0..EXAMINED).map(motion).collect::<Result<Vec<_>, _>>()?;
     let largest = |x: &[f64]| x[..coordinates].iter().fold(0.0_f64, |largest, x| largest.max(x.abs()));

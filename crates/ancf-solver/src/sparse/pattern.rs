@@ -36,6 +36,8 @@ pub struct Pattern {
     factor_storage: FactorStorage,
 }
 
+/// False in browsers, where models are small and code is transferred.
+const IS_DISSECTED: bool = cfg!(not(target_family = "wasm"));
 /// Products of a factorisation per supernode above which the dissection of the groups is tried, which takes as long as some of these
 /// factorisations.
 const DISSECTED: f64 = 5e4;
@@ -76,7 +78,7 @@ impl Pattern {
         let elimination =
             |core| EliminationOrder::new(&Ranks::new(core, coordinates, rows, blocks, massless), blocks);
         let mut best = elimination(CoreOrder::MinimumDegree);
-        if best.supernodes.products() > DISSECTED * best.supernodes.list.len() as f64 {
+        if IS_DISSECTED && best.supernodes.products() > DISSECTED * best.supernodes.list.len() as f64 {
             let other = elimination(CoreOrder::NestedDissection);
             if other.supernodes.products() < best.supernodes.products() {
                 best = other;

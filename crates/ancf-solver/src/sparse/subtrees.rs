@@ -158,9 +158,9 @@ pub(crate) fn process_subtrees<S: Send, P: Send>(
 
 #[cfg(test)]
 mod tests {
-    use crate::sparse::graph::IndexLists;
     use super::super::pattern::Pattern;
     use super::*;
+    use crate::sparse::graph::IndexLists;
 
     /// Checks that subtrees and trunk partition all supernodes. Outside a subtree, only rows of its root may occur.
     fn checked(links: impl Iterator<Item = (u32, u32)>, nodes: usize) -> Subtrees {

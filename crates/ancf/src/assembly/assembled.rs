@@ -103,12 +103,13 @@ impl Assembly {
         moved.fold(0.0, f64::max)
     }
 
-    /// Largest change of a direction between two states, relative to its size.
+    /// Largest rotation of a direction between two states, in rad. A change of its length counts as a rotation.
     pub(crate) fn turn(&self, from: &State, to: &State) -> f64 {
         let pairs = self.bodies().flat_map(|(_, body)| body.vectors(from).into_iter().zip(body.vectors(to)));
         let directions =
             pairs.filter(|(vector, _)| !vector.is_position() && vector.kind != VectorKind::Twist);
-        directions.map(|(a, b)| (b.value - a.value).norm() / a.value.norm()).fold(0.0, f64::max)
+        let chord = directions.map(|(a, b)| (b.value - a.value).norm() / a.value.norm()).fold(0.0, f64::max);
+        2.0 * (0.5 * chord).min(1.0).asin()
     }
 
     /// Returns a joint whose ends have another orientation than in the reference state, although its equations hold.

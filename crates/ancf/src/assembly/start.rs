@@ -15,7 +15,7 @@ impl Assembly {
     }
 
     /// State of a motion with velocities that satisfy its constraints, without the error of steps h of a scheme. `None` if the matrix of
-    /// the steps is singular.
+    /// the steps is singular, or if the rate of a drive is infinite.
     ///
     /// A motion may end at a jump of a drive. The velocities are those before the jump.
     pub(crate) fn without_velocity_error(
@@ -24,9 +24,9 @@ impl Assembly {
         scheme: SchemeCoefficients,
         h: f64,
     ) -> Option<State> {
-        let mut before = State { t: s.t.next_down(), ..s.clone() };
+        let mut before = State { t: s.t.next_down().max(0.0), ..s.clone() };
         remove_velocity_error(&self.system, &mut self.system.matrix(), &mut before, (scheme, h)).ok()?;
-        Some(State { t: s.t, ..before })
+        before.v.iter().all(|v| v.is_finite()).then_some(State { t: s.t, ..before })
     }
 
     /// State with the initial velocities of the bodies of the model added.

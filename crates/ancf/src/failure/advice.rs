@@ -118,6 +118,10 @@ pub(crate) const fn advice_for_eigen(error: EigenError) -> &'static str {
             "a smaller `analysis.count`; more elements, or fewer if the elements are thousands, since the rounding error \
              of the stiffness grows with the fourth power of their number"
         }
+        EigenError::Unresolved => {
+            "joints or springs that support the motion, such as the rotation of a rigid body about its axis; fewer elements if they are \
+             thousands"
+        }
         EigenError::Missed => "another `analysis.count`; fewer elements if the elements are thousands",
         EigenError::Interrupted => "nothing: the analysis was interrupted on request",
     }

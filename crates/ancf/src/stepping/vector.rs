@@ -1,6 +1,7 @@
 use ancf_mechanics::functions::InputSignal;
 use ancf_solver::dynamics::{StepReport, consistent_positions};
-use ancf_solver::equations::State;
+use ancf_solver::equations::{EquationsOfMotion, State};
+use ancf_solver::newton::{SolveError, SolveFailure};
 
 use super::step_error::{StepError, argument};
 use super::stepper::{Setting, Stepper};
@@ -83,9 +84,12 @@ impl Stepper {
         bodies.chain(joints).collect()
     }
 
-    /// Present state.
+    /// Present state. Its velocities satisfy the constraints, without the error of the time steps, so that a motion that continues from
+    /// it has no impulses.
     pub fn state(&self) -> CompleteState {
         let (s, scales) = (self.dynamics.state(), self.simulation.scales());
+        let consistent = self.simulation.without_velocity_error(s);
+        let s = consistent.as_ref().unwrap_or(s);
         let units = coordinate_units(&self.simulation.assembly, scales);
         CompleteState {
             time: self.time(),
@@ -114,6 +118,10 @@ impl Stepper {
                 found,
                 "rotations of less than a right angle from those of the joint",
             ));
+        }
+        if let Some((worst, reason)) = system.inadmissible(&consistent) {
+            let failure = SolveFailure::Inadmissible(reason);
+            return Err(self.failed(SolveError { worst: Some(worst), ..SolveError::at(s.t, failure) }));
         }
         let turned = assembly.turn(&s, &consistent);
         let moved = assembly.displacement(&s, &consistent) * self.simulation.scales().length;

@@ -45,7 +45,7 @@ impl AnalysisRun<'_> {
         });
         let (about, DampedModes { modes, is_complete }) = match found {
             Ok((_, found)) if found.modes.iter().any(|mode| mode.residual > MAX_RESIDUAL) => {
-                return Ok(Err(EigenError::NotConverged.into()));
+                return Ok(Err(EigenError::Unresolved.into()));
             }
             Ok(found) => found,
             Err(reason) => return Ok(Err(reason)),

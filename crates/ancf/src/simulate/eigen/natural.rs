@@ -124,7 +124,7 @@ impl AnalysisRun<'_> {
         match found {
             // Large residuals indicate an undetected motion without stiffness.
             Ok((_, found)) if found.modes.iter().any(|mode| mode.residual > MAX_RESIDUAL) => {
-                Ok(Err(EigenError::NotConverged.into()))
+                Ok(Err(EigenError::Unresolved.into()))
             }
             Ok((about, mut found)) => {
                 if model.has_shells() {

@@ -90,17 +90,16 @@ impl Simulation {
     /// Its velocities satisfy the constraints of this simulation, without the error of its time steps. A simulation with the same joints
     /// thus starts without impulses.
     pub fn given_state(&self, state: &State, source: impl Into<String>) -> GivenState {
-        let mut consistent = None;
-        if let Some(motion) = self.scaled.analysis.dynamics() {
-            let assembly = &self.assembly;
-            consistent = assembly.without_velocity_error(
-                state,
-                motion.scheme.numbers(),
-                motion.step.typical(motion.duration),
-            );
-        }
+        let consistent = self.without_velocity_error(state);
         let state = consistent.as_ref().unwrap_or(state);
         GivenState::new(&self.assembly, self.scales(), state, source.into())
+    }
+
+    /// State of a motion without the error of its time steps in the velocities along constraints. `None` if there is none.
+    pub(crate) fn without_velocity_error(&self, state: &State) -> Option<State> {
+        let motion = self.scaled.analysis.dynamics()?;
+        let step = motion.step.typical(motion.duration);
+        self.assembly.without_velocity_error(state, motion.scheme.numbers(), step)
     }
 
     /// Columns of angles whose turns are counted during a run, since a state does not contain them.

@@ -70,6 +70,22 @@ fn mechanism_without_equilibrium_is_named() {
     assert!(advice.contains("joints, springs or stiffness that support the motion"), "{advice}");
 }
 
+/// The rotation of a rigid rod about its axis has no stiffness. The rod settles on its ball joint first, with rounding errors.
+#[test]
+fn modes_of_a_rotation_without_stiffness_name_it() {
+    for center in ["[0.5, 0, 0]", "[0.3, 0.4, 0]"] {
+        let text = format!(
+            "gravity = [0, 0, -9.81]\n\
+             bodies = [{{ kind = \"rigid\", name = \"rod\", center = {center}, mass = 2, inertia = [0.2, 0.2, 0.2] }}]\n\
+             joints = [{{ kind = \"spherical\", name = \"h\", a = {{ body = \"rod\", at = [0, 0, 0] }} }}]\n\
+             analysis = {{ kind = \"modes\", count = 3, about = \"equilibrium\" }}\n"
+        );
+        let Failed { reason, advice, .. } = failed_at_once(&Model::parse(&text).unwrap());
+        assert!(reason.contains("unsupported") || reason.contains("hardly any stiffness"), "{reason}");
+        assert!(advice.contains("support the motion"), "{advice}");
+    }
+}
+
 /// Coupler (√2.5) and rocker (√3.25) are in line when the joint (-sin φ, cos φ) is √2.5 + √3.25 from the pivot (2.5, 0).
 #[test]
 fn dead_point_fails_at_its_instant() {

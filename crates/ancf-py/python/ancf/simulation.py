@@ -278,7 +278,7 @@ class Simulation:
 
     @property
     def state(self) -> State:
-        """Copy of the present state.
+        """Copy of the present state. Its velocities satisfy the constraints, without the error of the time steps.
 
         An assigned state is projected onto the constraints, with a warning if it moves.
         """

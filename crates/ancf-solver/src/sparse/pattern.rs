@@ -40,7 +40,7 @@ pub struct Pattern {
 const IS_DISSECTED: bool = cfg!(not(target_family = "wasm"));
 /// Products of a factorisation per supernode above which the dissection of the groups is tried, which takes as long as some of these
 /// factorisations.
-const DISSECTED: f64 = 5e4;
+const DISSECTED: f64 = 2e5;
 
 /// Part of the factors of a matrix that is stored.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -27,13 +27,13 @@ impl Ranks {
     /// Ranks the unknowns of a sum of dense blocks, with the row of each multiplier.
     pub(crate) fn new(
         core: CoreOrder,
-        coordinates: usize,
+        groups: &CoordinateGroups,
         rows: &[ConstraintRow],
         blocks: &IndexLists,
         massless: &[Massless],
     ) -> Self {
-        let multipliers = rows.len();
-        let groups = ordered_groups(core, coordinates, blocks);
+        let (coordinates, multipliers) = (groups.of.len(), rows.len());
+        let groups = groups.ordered(core);
         let mut rank = vec![None; coordinates];
         groups.iter().flatten().zip(0..).for_each(|(&c, place)| rank[c as usize] = Some(place));
         let carried = carried_places(&groups, &rank, blocks, rows);
@@ -101,16 +101,35 @@ fn last_coordinates(multipliers: usize, blocks: &IndexLists, rank: &[Option<u32>
     last
 }
 
-/// Computes the groups of coordinates in the order of elimination.
-fn ordered_groups(core: CoreOrder, coordinates: usize, blocks: &IndexLists) -> IndexLists {
-    let (group_of, count) = groups(coordinates, blocks);
-    let mut sizes = vec![0; count];
-    group_of.iter().for_each(|&group| sizes[group as usize] += 1);
-    let mut turn = vec![0; count];
-    for (group, at) in elimination(core, &graph(&group_of, count, blocks), &sizes).into_iter().zip(0..) {
-        turn[group as usize] = at;
+/// Groups of coordinates and their graph.
+pub(crate) struct CoordinateGroups {
+    /// Group of each coordinate.
+    of: Vec<u32>,
+    /// Numbers of coordinates of the groups.
+    sizes: Vec<u32>,
+    /// Adjacent groups of each group.
+    graph: IndexLists,
+}
+
+impl CoordinateGroups {
+    /// Groups the coordinates of a sum of dense blocks.
+    pub(crate) fn new(coordinates: usize, blocks: &IndexLists) -> Self {
+        let (of, count) = groups(coordinates, blocks);
+        let mut sizes = vec![0; count];
+        of.iter().for_each(|&group| sizes[group as usize] += 1);
+        let graph = graph(&of, count, blocks);
+        Self { of, sizes, graph }
     }
-    IndexLists::by_key(count, group_of.iter().zip(0..).map(|(&group, c)| (turn[group as usize], c)))
+
+    /// Returns the coordinates of each group in the order of elimination.
+    fn ordered(&self, core: CoreOrder) -> IndexLists {
+        let count = self.sizes.len();
+        let mut turn = vec![0; count];
+        for (group, at) in elimination(core, &self.graph, &self.sizes).into_iter().zip(0..) {
+            turn[group as usize] = at;
+        }
+        IndexLists::by_key(count, self.of.iter().zip(0..).map(|(&group, c)| (turn[group as usize], c)))
+    }
 }
 
 /// Returns true if a block has no multipliers.
@@ -231,12 +250,11 @@ fn elimination(of_core: CoreOrder, graph: &IndexLists, sizes: &[u32]) -> Vec<u32
         leaves = next;
     }
     let core: Vec<u32> = (0..graph.len() as u32).filter(|&g| !is_out[g as usize]).collect();
-    match of_core {
-        CoreOrder::MinimumDegree => order.extend(minimum_degree(graph, &core).into_iter().map(|at| core[at])),
-        CoreOrder::NestedDissection => {
-            let part = WeightedGraph::part_of(graph, sizes, &core);
-            order.extend(nested_dissection(&part).into_iter().map(|at| core[at as usize]));
-        }
-    }
+    let part = WeightedGraph::part_of(graph, sizes, &core);
+    let of_part = match of_core {
+        CoreOrder::MinimumDegree => minimum_degree(part.lists()),
+        CoreOrder::NestedDissection => nested_dissection(&part),
+    };
+    order.extend(of_part.into_iter().map(|at| core[at as usize]));
     order
 }

@@ -1,7 +1,7 @@
 use super::carriers::ConstraintRow;
 use super::elimination::EliminationOrder;
 use super::graph::IndexLists;
-use super::ordering::{CoreOrder, Massless, Ranks};
+use super::ordering::{CoordinateGroups, CoreOrder, Massless, Ranks};
 use super::supernodes::Supernodes;
 
 /// Sparsity pattern of a symmetric matrix, ordered for LDLᵀ without pivoting.
@@ -75,8 +75,9 @@ impl Pattern {
         blocks: &IndexLists,
         massless: &[Massless],
     ) -> Self {
+        let groups = CoordinateGroups::new(coordinates, blocks);
         let elimination =
-            |core| EliminationOrder::new(&Ranks::new(core, coordinates, rows, blocks, massless), blocks);
+            |core| EliminationOrder::new(&Ranks::new(core, &groups, rows, blocks, massless), blocks);
         let mut best = elimination(CoreOrder::MinimumDegree);
         if IS_DISSECTED && best.supernodes.products() > DISSECTED * best.supernodes.list.len() as f64 {
             let other = elimination(CoreOrder::NestedDissection);

@@ -3,7 +3,7 @@
 use super::carriers::ConstraintRow;
 use super::elimination::EliminationOrder;
 use super::graph::IndexLists;
-use super::ordering::{CoreOrder, Ranks};
+use super::ordering::{CoordinateGroups, CoreOrder, Ranks};
 use super::pattern::Pattern;
 
 /// Unknowns of a structure. Nodes have position and slopes, three coordinates each.
@@ -54,7 +54,8 @@ impl Structure {
     /// Returns the products of a factorisation in the order by minimum degree.
     fn products_by_degree(&self) -> f64 {
         let (rows, blocks) = self.parts();
-        let ranks = Ranks::new(CoreOrder::MinimumDegree, self.coordinates as usize, &rows, &blocks, &[]);
+        let groups = CoordinateGroups::new(self.coordinates as usize, &blocks);
+        let ranks = Ranks::new(CoreOrder::MinimumDegree, &groups, &rows, &blocks, &[]);
         EliminationOrder::new(&ranks, &blocks).supernodes.products()
     }
 

@@ -5,7 +5,7 @@ use ancf_mechanics::constraints::Wrench;
 use ancf_mechanics::kinematics::{Attachment, BodyVector, VectorKind};
 use ancf_mechanics::shells::{ShearShellMesh, ShellMesh};
 use ancf_solver::equations::{EquationsOfMotion, State, System};
-use ancf_solver::newton::SolveError;
+use ancf_solver::newton::{SolveError, SolveFailure};
 use nalgebra::Vector3;
 
 use super::inputs::{Inputs, NoNumber};
@@ -115,6 +115,14 @@ impl Assembly {
     /// Returns a joint whose ends have another orientation than in the reference state, although its equations hold.
     pub(crate) fn misaligned(&self, s: &State) -> Option<&str> {
         self.joints.iter().find(|joint| !joint.is_aligned(s)).map(|joint| joint.name.as_str())
+    }
+
+    /// Returns the failure of a state that a term does not admit, such as a driven hinge, whose equations also hold half a turn from its
+    /// angle.
+    pub(crate) fn inadmissible(&self, s: &State) -> Option<SolveError> {
+        let (worst, reason) = self.system.inadmissible(s)?;
+        let failure = SolveFailure::Inadmissible(reason);
+        Some(SolveError { worst: Some(worst), ..SolveError::at(s.t, failure) })
     }
 
     /// Names of the joints.

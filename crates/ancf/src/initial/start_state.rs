@@ -1,5 +1,5 @@
 use ancf_solver::dynamics::consistent_positions;
-use ancf_solver::equations::{EquationsOfMotion, Inadmissibility, State};
+use ancf_solver::equations::{Inadmissibility, State};
 use ancf_solver::newton::{SolveError, SolveFailure};
 
 use super::initial_state::InitialState;
@@ -97,12 +97,16 @@ impl StartState {
     }
 }
 
-/// Checks that the joints of rigid bodies have the orientation of the reference state.
+/// Checks that the joints of rigid bodies have the orientation of the reference state, and that all terms admit the state.
 ///
 /// # Errors
-/// If a joint has another one: the bodies of a joint that begins later have turned by more than about a right angle.
+/// If a joint has another orientation: the bodies of a joint that begins later have turned by more than about a right angle.
 pub(crate) fn require_alignment(assembly: &Assembly, s: &State) -> Result<(), RunFailure> {
-    let Some(joint) = assembly.misaligned(s) else { return require_admissible(assembly, s) };
+    let Some(joint) = assembly.misaligned(s) else {
+        let Some(error) = assembly.inadmissible(s) else { return Ok(()) };
+        let cause = find_cause(assembly, s, s.load, &error);
+        return Err(RunFailure::Solve(error, cause));
+    };
     let error = SolveError::at(s.t, SolveFailure::Inadmissible(Inadmissibility::HalfTurn));
     let reason = format!(
         "joint {} relates its bodies as in the undeformed state, but they have turned too far from this orientation: the equations of the \
@@ -111,15 +115,6 @@ pub(crate) fn require_alignment(assembly: &Assembly, s: &State) -> Result<(), Ru
     );
     let at = FailurePlace::Text(format!("joint {}", quoted(joint)));
     Err(RunFailure::Solve(error, Some(FailureCause { reason, at, advice: FOR_ORIENTATION })))
-}
-
-/// Checks that all terms admit a state, such as driven hinges, whose equations also hold half a turn from their angle.
-fn require_admissible(assembly: &Assembly, s: &State) -> Result<(), RunFailure> {
-    let Some((worst, reason)) = assembly.system.inadmissible(s) else { return Ok(()) };
-    let failure = SolveFailure::Inadmissible(reason);
-    let error = SolveError { worst: Some(worst), ..SolveError::at(s.t, failure) };
-    let cause = find_cause(assembly, s, s.load, &error);
-    Err(RunFailure::Solve(error, cause))
 }
 
 /// Advice for a joint with another orientation.

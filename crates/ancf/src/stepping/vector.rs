@@ -1,7 +1,6 @@
 use ancf_mechanics::functions::InputSignal;
 use ancf_solver::dynamics::{StepReport, consistent_positions};
-use ancf_solver::equations::{EquationsOfMotion, State};
-use ancf_solver::newton::{SolveError, SolveFailure};
+use ancf_solver::equations::State;
 
 use super::step_error::{StepError, argument};
 use super::stepper::{Setting, Stepper};
@@ -119,9 +118,8 @@ impl Stepper {
                 "rotations of less than a right angle from those of the joint",
             ));
         }
-        if let Some((worst, reason)) = system.inadmissible(&consistent) {
-            let failure = SolveFailure::Inadmissible(reason);
-            return Err(self.failed(SolveError { worst: Some(worst), ..SolveError::at(s.t, failure) }));
+        if let Some(error) = assembly.inadmissible(&consistent) {
+            return Err(self.failed(error));
         }
         let turned = assembly.turn(&s, &consistent);
         let moved = assembly.displacement(&s, &consistent) * self.simulation.scales().length;

@@ -25,7 +25,7 @@ pub(crate) fn nested_dissection(graph: &WeightedGraph) -> Vec<u32> {
     let mut reversed = Vec::with_capacity(graph.len());
     while let Some(vertices) = parts.pop() {
         let part = graph.part(&vertices, &mut place);
-        let separation = (part.len() > LEAF).then(|| best(&part, &mut random));
+        let separation = (part.len() > LEAF).then(|| best_of(TRIALS, || separated(&part, &mut random)));
         match separation.filter(Separation::has_sides) {
             Some(separation) => {
                 let [one, other, separator] = separation.vertices(&vertices);
@@ -33,8 +33,8 @@ pub(crate) fn nested_dissection(graph: &WeightedGraph) -> Vec<u32> {
                 parts.extend([one, other]);
             }
             None => {
-                let all: Vec<u32> = (0..part.len() as u32).collect();
-                reversed.extend(minimum_degree(part.lists(), &all).into_iter().rev().map(|at| vertices[at]));
+                let order = minimum_degree(part.lists());
+                reversed.extend(order.into_iter().rev().map(|at| vertices[at as usize]));
             }
         }
     }
@@ -42,16 +42,11 @@ pub(crate) fn nested_dissection(graph: &WeightedGraph) -> Vec<u32> {
     reversed
 }
 
-/// Returns the best of several separations of a graph.
-fn best(graph: &WeightedGraph, random: &mut PseudoRandom) -> Separation {
-    let mut best = separated(graph, random);
-    for _ in 1..TRIALS {
-        let other = separated(graph, random);
-        if other.cost() < best.cost() {
-            best = other;
-        }
-    }
-    best
+/// Returns the best of several separations.
+fn best_of(count: usize, mut create: impl FnMut() -> Separation) -> Separation {
+    let first = create();
+    let others = (1..count).map(|_| create());
+    others.fold(first, |best, other| if other.cost() < best.cost() { other } else { best })
 }
 
 /// Separates a graph by the best separation of its coarsest graph, which is refined on each finer graph.
@@ -64,7 +59,13 @@ fn separated(graph: &WeightedGraph, random: &mut PseudoRandom) -> Separation {
             None => break,
         }
     }
-    let mut separation = initial(levels.last().map_or(graph, |level| &level.graph), random);
+    let coarsest = levels.last().map_or(graph, |level| &level.graph);
+    let grown = || {
+        let mut separation = Separation::grown(coarsest, random);
+        separation.refine(coarsest);
+        separation
+    };
+    let mut separation = best_of(INITIAL, grown);
     while let Some(coarse) = levels.pop() {
         let fine = levels.last().map_or(graph, |level| &level.graph);
         let parts = coarse.of.iter().map(|&vertex| separation.parts[vertex as usize]).collect();
@@ -72,23 +73,6 @@ fn separated(graph: &WeightedGraph, random: &mut PseudoRandom) -> Separation {
         separation.refine(fine);
     }
     separation
-}
-
-/// Returns the best of several separations that grow from random vertices.
-fn initial(graph: &WeightedGraph, random: &mut PseudoRandom) -> Separation {
-    let mut grown = || {
-        let mut separation = Separation::grown(graph, random);
-        separation.refine(graph);
-        separation
-    };
-    let mut best = grown();
-    for _ in 1..INITIAL {
-        let other = grown();
-        if other.cost() < best.cost() {
-            best = other;
-        }
-    }
-    best
 }
 
 #[cfg(test)]
@@ -120,7 +104,8 @@ mod tests {
     fn separators_of_grids() {
         let n = 40;
         let grid = grid(n);
-        let separation = best(&grid, &mut PseudoRandom(1));
+        let mut random = PseudoRandom(1);
+        let separation = best_of(TRIALS, || separated(&grid, &mut random));
         let all: Vec<u32> = (0..grid.len() as u32).collect();
         let parts = separation.vertices(&all);
         for &vertex in &parts[0] {

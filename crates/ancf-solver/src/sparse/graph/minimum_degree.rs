@@ -4,20 +4,17 @@ use faer::sparse::linalg::amd;
 
 use super::index_lists::IndexLists;
 
-/// Computes the approximate minimum degree order of a part of a graph.
-pub(crate) fn minimum_degree(graph: &IndexLists, part: &[u32]) -> Vec<usize> {
-    let count = part.len();
+/// Computes the approximate minimum degree order of a graph, given the neighbours of each vertex.
+pub(crate) fn minimum_degree(graph: &IndexLists) -> Vec<u32> {
+    let count = graph.len();
     if count == 0 {
         return Vec::new();
     }
-    let mut place = vec![usize::MAX; graph.len()];
-    part.iter().enumerate().for_each(|(at, &g)| place[g as usize] = at);
     let (mut columns, mut rows) = (vec![0], Vec::new());
-    for (at, &g) in part.iter().enumerate() {
-        let others = graph[g as usize].iter().map(|&other| place[other as usize]);
+    for (at, others) in graph.iter().enumerate() {
         let start = rows.len();
         rows.push(at);
-        rows.extend(others.filter(|&other| other != usize::MAX));
+        rows.extend(others.iter().map(|&other| other as usize));
         rows[start..].sort_unstable();
         columns.push(rows.len());
     }
@@ -27,5 +24,6 @@ pub(crate) fn minimum_degree(graph: &IndexLists, part: &[u32]) -> Vec<usize> {
     let done =
         amd::order(&mut order, &mut inverse, graph, amd::Control::default(), MemStack::new(&mut memory));
     // AMD fails only on index overflow. The natural order is then used.
-    if done.is_ok() { order } else { (0..count).collect() }
+    let order = if done.is_ok() { order } else { (0..count).collect() };
+    order.into_iter().map(|vertex| vertex as u32).collect()
 }

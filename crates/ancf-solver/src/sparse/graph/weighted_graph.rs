@@ -19,18 +19,27 @@ impl WeightedGraph {
 
     /// Creates the part of a graph with the given vertices, of unit edges.
     pub(crate) fn part_of(graph: &IndexLists, weights: &[u32], vertices: &[u32]) -> Self {
-        let edges = vec![1; graph.iter().map(<[u32]>::len).sum()];
-        let all = Self { neighbours: graph.clone(), edges, weights: weights.to_vec() };
-        all.part(vertices, &mut vec![None; graph.len()])
+        let edges = |vertex: u32| graph[vertex as usize].iter().map(|&other| (other, 1));
+        Self::induced(vertices, &mut vec![None; graph.len()], |vertex| weights[vertex as usize], edges)
     }
 
     /// Returns the part with the given vertices. `place` is working storage, one `None` for each vertex.
     pub(super) fn part(&self, vertices: &[u32], place: &mut [Option<u32>]) -> Self {
+        Self::induced(vertices, place, |vertex| self.weight(vertex), |vertex| self.edges(vertex))
+    }
+
+    /// Creates the graph of some vertices with the edges between them.
+    fn induced<E: Iterator<Item = (u32, u32)>>(
+        vertices: &[u32],
+        place: &mut [Option<u32>],
+        weight: impl Fn(u32) -> u32,
+        edges: impl Fn(u32) -> E,
+    ) -> Self {
         vertices.iter().zip(0..).for_each(|(&vertex, at)| place[vertex as usize] = Some(at));
         let mut part = Self::new();
         for &vertex in vertices {
-            let own = self.edges(vertex).filter_map(|(other, weight)| Some((place[other as usize]?, weight)));
-            part.push(self.weight(vertex), own);
+            let own = edges(vertex).filter_map(|(other, edge)| Some((place[other as usize]?, edge)));
+            part.push(weight(vertex), own);
         }
         vertices.iter().for_each(|&vertex| place[vertex as usize] = None);
         part
@@ -52,7 +61,7 @@ impl WeightedGraph {
     }
 
     /// Returns the neighbours of each vertex.
-    pub(super) fn lists(&self) -> &IndexLists {
+    pub(crate) fn lists(&self) -> &IndexLists {
         &self.neighbours
     }
 

@@ -80,7 +80,7 @@ test("a coil spring opens with the von Mises stress in megapascals", async () =>
 /** Colour of a beam at half of its length. */
 async function bodyPixels(tab) {
   await settle(tab);
-  return String(await tab.evaluate(() => window.ancf.pixel(...window.ancf.canvasPosition(0, 20))));
+  return String(await tab.evaluate(() => window.ancf.pixels([window.ancf.canvasPosition(0, 20)])));
 }
 
 test("the range of the colours can be set and reset, and is fixed over time", async () => {

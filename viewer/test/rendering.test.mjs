@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { close, launch, open, setTime, settle } from "./support/browser.mjs";
+import { close, launch, open, pixels, setTime, settle } from "./support/browser.mjs";
 import { cantilever } from "./support/cantilever.mjs";
 import { f32 } from "./support/container.mjs";
 import { machine } from "./support/machine.mjs";
@@ -22,12 +22,6 @@ async function openBare(scene, options = {}) {
   return page;
 }
 
-/** Colours (0 to 255, with opacity) at points of space. */
-const colours = (tab, points) =>
-  tab.evaluate(
-    (list) => list.map((point) => window.ancf.pixel(...(window.ancf.project(...point) ?? [-1, -1]))),
-    points,
-  );
 /** Brightness of a colour from 0 to 1. */
 const luminance = ([r, g, b]) => (0.2126 * r + 0.7152 * g + 0.0722 * b) / 255;
 const median = (list) => [...list].sort((a, b) => a - b)[list.length >> 1];
@@ -43,7 +37,7 @@ test("end face and wall of a cylinder differ by at least 15 % in luminance", asy
       y,
       0.12 + 0.12 * Math.SQRT1_2,
     ]);
-    const [of_face, of_wall] = [await colours(tab, face), await colours(tab, wall)].map((list) =>
+    const [of_face, of_wall] = [await pixels(tab, face), await pixels(tab, wall)].map((list) =>
       median(list.map(luminance)),
     );
     assert.ok(Math.abs(of_face / of_wall - 1) >= 0.15, `${theme}: ${of_face} and ${of_wall}`);
@@ -55,7 +49,7 @@ test("edges of a rigid body are dark lines", async () => {
   const { tab } = await openBare(machine());
   await setTime(tab, 0);
   // The box is at height 0.7 with half edges 0.15, 0.1, 0.08; its front face has the normal -y.
-  const [face, ...edge] = await colours(tab, [
+  const [face, ...edge] = await pixels(tab, [
     [0.05, -0.1, 0.7],
     ...[-0.1, -0.05, 0.05, 0.1].map((x) => [x, -0.0995, 0.7795]),
   ]);
@@ -74,7 +68,7 @@ test("spokes show the rotation of the pulley of the belt", async () => {
     await setTime(tab, t);
     await settle(tab);
     const circle = Array.from({ length: 240 }, (_, i) => (2 * Math.PI * i) / 240);
-    const found = await colours(
+    const found = await pixels(
       tab,
       circle.map((a) => [0.055 * Math.cos(a), -0.03, 0.055 * Math.sin(a)]),
     );
@@ -117,7 +111,7 @@ test("a floor covers the whole motion, and has no second grid below it", async (
     [-0.15, 0.3],
     [0.7, 0],
   ];
-  const below = await colours(
+  const below = await pixels(
     tab,
     corners.map(([x, y]) => [x + shift, y, 0]),
   );
@@ -130,7 +124,7 @@ test("a floor covers the whole motion, and has no second grid below it", async (
     const [x, y] = await tab.evaluate((p) => window.ancf.project(...p), point);
     assert.ok(x > 0 && y > 0 && x < 980 && y < 800, `${point} is on the canvas`);
   }
-  for (const colour of await colours(tab, outside)) assert.equal(colour[3], 0);
+  for (const colour of await pixels(tab, outside)) assert.equal(colour[3], 0);
   await tab.close();
 });
 
@@ -141,7 +135,7 @@ test("bodies and obstacles have shadows on the floor", async () => {
   const box = range.map((x) => [x, 0.04, 0]);
   const free = range.map((x) => [x - 0.25, -0.25, 0]);
   const brightness = async (points) =>
-    median((await colours(tab, points)).map((c) => luminance(c) / (c[3] / 255)));
+    median((await pixels(tab, points)).map((c) => luminance(c) / (c[3] / 255)));
   const shaded = await brightness(box);
   const lit = await brightness(free);
   assert.ok(shaded < 0.9 * lit, `${shaded} and ${lit}`);
@@ -165,7 +159,7 @@ test("shadows without a floor are on the grid below the motion", async () => {
   const opacity = async () =>
     Math.max(
       ...(
-        await colours(
+        await pixels(
           tab,
           [0.3, 0.35, 0.45, 0.55].map((x) => [x, level, 0]),
         )
@@ -188,7 +182,7 @@ test("bodies in the darkest colour contrast with the background of both themes",
     await setTime(tab, 0.5);
     await settle(tab);
     // At t = 0.5 s all speeds are zero.
-    const [body] = await colours(tab, [[0.2, -0.012, 0.02]]);
+    const [body] = await pixels(tab, [[0.2, -0.012, 0.02]]);
     const stage = await tab.evaluate(() => {
       const style = getComputedStyle(document.documentElement);
       const hex = style.getPropertyValue("--stage").trim();

@@ -40,7 +40,7 @@ test("edges of the surface are dark lines, its faces are plain", async () => {
   await setTime(tab, 0);
   await settle(tab);
   const brightness = await tab.evaluate(() => {
-    const at = (x, y) => window.ancf.pixel(...window.ancf.project(x, y, 0)).slice(0, 3);
+    const at = (x, y) => window.ancf.pixels([window.ancf.project(x, y, 0)])[0].slice(0, 3);
     const sum = (colour) => colour.reduce((a, b) => a + b);
     // Across the long inner edge of the bracket, and across the diagonal between two of its triangles.
     const across = (x, y) => Math.min(...[-2, -1, 0, 1, 2].map((k) => sum(at(x, y + 0.0015 * k))));

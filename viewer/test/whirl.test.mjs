@@ -94,7 +94,7 @@ test("the mast is drawn where its stations are during a whirl", async () => {
       const at = window.ancf.canvasPosition(0, index);
       return {
         position: window.ancf.station(0, index),
-        colour: window.ancf.pixel(...at),
+        colour: window.ancf.pixels([at])[0],
         playing: window.ancf.playing,
       };
     }, TIP - 4);

@@ -46,15 +46,15 @@ pub(crate) fn write(schema: &str) -> Done {
 /// Returns the generated files in the package by their paths below it.
 fn generated() -> Result<BTreeMap<String, String>, String> {
     let mut found = BTreeMap::new();
-    let rooms: BTreeSet<PathBuf> =
+    let folders: BTreeSet<PathBuf> =
         names::MODULES.iter().filter_map(|module| file(module.path).parent().map(Path::to_owned)).collect();
-    for room in rooms {
-        let place = folder().join(&room);
+    for folder_name in folders {
+        let place = folder().join(&folder_name);
         let entries = fs::read_dir(&place).map_err(|error| format!("{}: {error}", place.display()))?;
         for path in entries.filter_map(|entry| Some(entry.ok()?.path())) {
             let text = fs::read_to_string(&path).unwrap_or_default();
             if text.contains(ORIGIN) {
-                let name = room.join(path.file_name().unwrap_or_default());
+                let name = folder_name.join(path.file_name().unwrap_or_default());
                 found.insert(name.to_string_lossy().replace('\\', "/"), text);
             }
         }
@@ -79,14 +79,14 @@ fn files(schema: &str) -> Result<BTreeMap<String, String>, String> {
             modules.entry(block.module.unwrap_or(module.path)).or_default().push(block);
         }
     }
-    let homes = homes(&modules)?;
+    let modules_of_names = modules_of_names(&modules)?;
     let mut files = BTreeMap::new();
     for module in names::MODULES {
         let blocks = modules.get(module.path).map_or(&[][..], Vec::as_slice);
         let path = file(module.path).to_string_lossy().into_owned();
-        files.insert(path, module_text(module.path, module.summary, blocks, &homes));
+        files.insert(path, module_text(module.path, module.summary, blocks, &modules_of_names));
     }
-    files.insert("__init__.py".into(), package_text(&homes));
+    files.insert("__init__.py".into(), package_text(&modules_of_names));
     Ok(files)
 }
 
@@ -94,19 +94,19 @@ fn files(schema: &str) -> Result<BTreeMap<String, String>, String> {
 ///
 /// # Errors
 /// If a name is defined twice.
-fn homes<'a>(modules: &BTreeMap<&'a str, Vec<Block>>) -> Result<BTreeMap<String, &'a str>, String> {
-    let mut homes = BTreeMap::new();
+fn modules_of_names<'a>(modules: &BTreeMap<&'a str, Vec<Block>>) -> Result<BTreeMap<String, &'a str>, String> {
+    let mut modules_of_names = BTreeMap::new();
     for (module, block) in
         modules.iter().flat_map(|(module, blocks)| blocks.iter().map(|block| (*module, block)))
     {
-        if let Some(other) = homes.insert(block.name.clone(), module) {
+        if let Some(other) = modules_of_names.insert(block.name.clone(), module) {
             let (name, table) = (&block.name, "xtask/src/python/names.rs");
             return Err(format!(
                 "class `{name}` is defined in {other} and in {module}: rename one of them in {table}"
             ));
         }
     }
-    Ok(homes)
+    Ok(modules_of_names)
 }
 
 /// Adds a definition and all definitions that it needs and that no module has yet, each after those that it needs.
@@ -135,21 +135,21 @@ fn needed(part: &Json, needs: &mut Vec<String>) {
     }
 }
 
-fn module_text(module: &str, summary: &str, blocks: &[Block], homes: &BTreeMap<String, &str>) -> String {
+fn module_text(module: &str, summary: &str, blocks: &[Block], modules_of_names: &BTreeMap<String, &str>) -> String {
     let uses: BTreeSet<&str> = blocks.iter().flat_map(|block| &block.uses).map(String::as_str).collect();
     let own: Vec<&str> = blocks.iter().map(|block| block.name.as_str()).collect();
     let mut imports: BTreeMap<String, Vec<&str>> = BTreeMap::new();
     for name in uses {
-        let home = match homes.get(name) {
-            Some(home) if *home == module => continue,
-            Some(home) => format!("ancf.model.{home}"),
+        let module_name = match modules_of_names.get(name) {
+            Some(module_name) if *module_name == module => continue,
+            Some(module_name) => format!("ancf.model.{module_name}"),
             None => names::imported_from(name).into(),
         };
-        imports.entry(home).or_default().push(name);
+        imports.entry(module_name).or_default().push(name);
     }
-    let (inner, outer): (Vec<_>, Vec<_>) = imports.iter().partition(|(home, _)| home.starts_with("ancf"));
+    let (inner, outer): (Vec<_>, Vec<_>) = imports.iter().partition(|(module_name, _)| module_name.starts_with("ancf"));
     let lines = |imports: Vec<(&String, &Vec<&str>)>| {
-        imports.into_iter().map(|(home, names)| import(home, names)).collect::<String>()
+        imports.into_iter().map(|(module_name, names)| import(module_name, names)).collect::<String>()
     };
     let outer = lines(outer);
     let inner = lines(inner);
@@ -158,12 +158,12 @@ fn module_text(module: &str, summary: &str, blocks: &[Block], homes: &BTreeMap<S
     format!("\"\"\"{summary}\"\"\"\n\n{ORIGIN}\n{FUTURE}\n{outer}{gap}{inner}\n{all}{text}")
 }
 
-fn import(home: &str, names: &[&str]) -> String {
-    let line = format!("from {home} import {}\n", names.join(", "));
+fn import(module_name: &str, names: &[&str]) -> String {
+    let line = format!("from {module_name} import {}\n", names.join(", "));
     if line.chars().count() <= text::WIDTH + 1 {
         line
     } else {
-        format!("from {home} import (\n    {},\n)\n", names.join(",\n    "))
+        format!("from {module_name} import (\n    {},\n)\n", names.join(",\n    "))
     }
 }
 
@@ -192,17 +192,17 @@ fn spaced(blocks: &[Block]) -> String {
     text
 }
 
-fn package_text(homes: &BTreeMap<String, &str>) -> String {
+fn package_text(modules_of_names: &BTreeMap<String, &str>) -> String {
     let mut modules: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
-    homes.iter().for_each(|(name, home)| modules.entry(*home).or_default().push(name));
+    modules_of_names.iter().for_each(|(name, module_name)| modules.entry(*module_name).or_default().push(name));
     let imports: String = modules
         .iter_mut()
-        .map(|(home, names)| {
+        .map(|(module_name, names)| {
             names.sort_by_key(|name| (name.chars().any(char::is_lowercase), name.to_owned()));
-            import(&format!("ancf.model.{home}"), names)
+            import(&format!("ancf.model.{module_name}"), names)
         })
         .collect();
-    let names: Vec<&str> = homes.keys().map(String::as_str).collect();
+    let names: Vec<&str> = modules_of_names.keys().map(String::as_str).collect();
     format!(
         "\"\"\"Parts of a model: one class for each form of the model schema.\"\"\"\n\n{ORIGIN}\n{imports}\n{}",
         all(&names)

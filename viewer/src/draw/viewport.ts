@@ -205,23 +205,19 @@ export class Viewport {
     return box;
   }
 
-  /** Red, green, blue and opacity (0 to 255) of the 3-D view at a point in CSS pixels. */
-  pixel(x: number, y: number, blend: FrameBlend): number[] {
+  /** Red, green, blue and opacity (0 to 255) of the 3-D view at points in CSS pixels. */
+  pixels(points: ReadonlyArray<readonly [number, number]>, blend: FrameBlend): number[][] {
     this.draw(blend);
     const gl = this.renderer.getContext();
-    const bytes = new Uint8Array(4);
     const factor = gl.drawingBufferHeight / Math.max(1, this.height);
-    gl.readPixels(
-      Math.floor(x * factor),
-      Math.floor((this.height - y) * factor),
-      1,
-      1,
-      gl.RGBA,
-      gl.UNSIGNED_BYTE,
-      bytes,
-    );
+    const colours = points.map(([x, y]) => {
+      const bytes = new Uint8Array(4);
+      const [column, row] = [Math.floor(x * factor), Math.floor((this.height - y) * factor)];
+      gl.readPixels(column, row, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
+      return [...bytes];
+    });
     this.requestDraw();
-    return [...bytes];
+    return colours;
   }
 
   /** Share of the canvas (0 to 1) that objects other than grid and shadows cover. */

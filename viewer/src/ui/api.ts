@@ -27,8 +27,8 @@ export interface Api {
   project(x: number, y: number, z: number): [number, number] | null;
   /** Share of the canvas (0 to 1) that objects other than grid and shadows cover. */
   coverage(): number;
-  /** Red, green, blue and opacity (0 to 255) of the 3-D view at a point in CSS pixels. */
-  pixel(x: number, y: number): number[];
+  /** Red, green, blue and opacity (0 to 255) of the 3-D view at points in CSS pixels. */
+  pixels(points: ReadonlyArray<readonly [number, number]>): number[][];
   /** Free area of the view, and the box around the projected motion and arrows of all frames, in CSS pixels. */
   framing(): { free: Rectangle; motion: Rectangle; arrows: Rectangle | null } | null;
 }
@@ -56,7 +56,7 @@ export function createApi(app: App, ready: Promise<boolean>): Api {
     canvasPosition: (body, index) => app.viewport?.project(station(body, index)) ?? null,
     project: (x, y, z) => app.viewport?.project([x, y, z]) ?? null,
     coverage: () => app.viewport?.coverage(app.blend) ?? 0,
-    pixel: (x, y) => app.viewport?.pixel(x, y, app.blend) ?? [0, 0, 0, 0],
+    pixels: (points) => app.viewport?.pixels(points, app.blend) ?? points.map(() => [0, 0, 0, 0]),
     framing: () => app.viewport?.framing() ?? null,
   };
 }

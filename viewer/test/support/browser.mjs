@@ -86,7 +86,7 @@ export async function screenshot(tab) {
 /** Red, green, blue and opacity at points in space. */
 export const pixels = (tab, points) =>
   tab.evaluate(
-    (list) => list.map((point) => window.ancf.pixel(...(window.ancf.project(...point) ?? [-1, -1]))),
+    (list) => window.ancf.pixels(list.map((point) => window.ancf.project(...point) ?? [-1, -1])),
     points,
   );
 

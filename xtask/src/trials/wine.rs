@@ -35,10 +35,10 @@ pub(crate) fn program(file: &Path, folder: &Path) -> Result<Program, String> {
         emulator: Some("wine".into()),
         variables: vec![("WINEPREFIX".to_owned(), prefix.into()), ("WINEDEBUG".to_owned(), "-all".into())],
         console: Some(console),
-        home: folder.join("home"),
+        module_name: folder.join("module_name"),
         pace: 1.0,
     };
-    std::fs::create_dir_all(&program.home).map_err(|error| format!("{}: {error}", program.home.display()))?;
+    std::fs::create_dir_all(&program.module_name).map_err(|error| format!("{}: {error}", program.module_name.display()))?;
     let starts = || {
         program
             .command(folder, &["--version"])

@@ -15,7 +15,7 @@ use super::display::surfaces_of;
 use super::sequence::check_stages;
 use super::start::start_of;
 use crate::terminal::{
-    Ended, JsonErrors, print, print_error, print_json, print_model_errors, print_status, reject,
+    Ended, JsonErrors, print, print_error, print_json, print_model_errors, print_status, report_argument_error,
 };
 
 /// Arguments of `ancf check`.
@@ -95,7 +95,7 @@ impl CheckArguments {
     pub fn run(&self) -> Ended {
         let standard_input = self.files.iter().filter(|file| is_standard_input(file)).count();
         if standard_input > 1 || (standard_input == 1 && self.watch) {
-            return reject("standard input `-` can be read once");
+            return report_argument_error("standard input `-` can be read once");
         }
         loop {
             let stamps = self.stamps();

@@ -9,7 +9,7 @@ use ancf_fmu::{ExportError, Exported, Fmi, Options, export, library_name};
 use anyhow::{Context, Result};
 use clap::{Args, ValueEnum};
 
-use crate::terminal::{Ended, print_error, print_status, refuse, reject};
+use crate::terminal::{Ended, print_error, print_status, report_model_errors, report_argument_error};
 
 /// Arguments of `ancf fmu`.
 #[derive(Debug, Args)]
@@ -67,11 +67,11 @@ impl FmuArguments {
         let file = self.output.clone().unwrap_or_else(|| self.file.with_extension("fmu"));
         let library = match self.library() {
             Ok(library) => library,
-            Err(message) => return Ok(reject(&message)),
+            Err(message) => return Ok(report_argument_error(&message)),
         };
         let text = match Model::read_text(&self.file) {
             Ok(text) => text,
-            Err(errors) => return Ok(refuse(&errors, &self.file)),
+            Err(errors) => return Ok(report_model_errors(&errors, &self.file)),
         };
         let name = self.file.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
         let version = match self.version {
@@ -85,11 +85,11 @@ impl FmuArguments {
                 print_status(&format!("done: {}: {}", file.display(), summary(&exported)));
                 Ok(Ended::Done)
             }
-            Err(ExportError::Model(errors)) => Ok(refuse(&with_places(errors, &text), &self.file)),
+            Err(ExportError::Model(errors)) => Ok(report_model_errors(&with_places(errors, &text), &self.file)),
             Err(ExportError::Write(error)) => {
                 Err(error).with_context(|| format!("cannot write {}", file.display()))
             }
-            Err(error) => Ok(reject(&error.to_string())),
+            Err(error) => Ok(report_argument_error(&error.to_string())),
         }
     }
 

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result};
 use clap::{Args, ValueEnum};
 
-use crate::terminal::{Ended, print_output, print_status, reject};
+use crate::terminal::{Ended, print_output, print_status, report_argument_error};
 
 /// Arguments of `ancf new`.
 #[derive(Debug, Args)]
@@ -94,7 +94,7 @@ impl NewArguments {
         match self.write(text) {
             Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {
                 let hint = "--force overwrites it";
-                return Ok(reject(&format!("{} exists already; {hint}", self.file.display())));
+                return Ok(report_argument_error(&format!("{} exists already; {hint}", self.file.display())));
             }
             written => written.with_context(|| format!("cannot write {}", self.file.display()))?,
         }

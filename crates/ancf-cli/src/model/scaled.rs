@@ -6,7 +6,7 @@ use ancf::Model;
 use anyhow::{Context, Result};
 use clap::Args;
 
-use crate::terminal::{Ended, print_output, refuse};
+use crate::terminal::{Ended, print_output, report_model_errors};
 
 /// Arguments of `ancf scaled`.
 #[derive(Debug, Args)]
@@ -28,7 +28,7 @@ impl ScaledArguments {
                 print_output(&scaled(&model)?);
                 Ok(Ended::Done)
             }
-            Err(errors) => Ok(refuse(&errors, &self.file)),
+            Err(errors) => Ok(report_model_errors(&errors, &self.file)),
         }
     }
 }

@@ -16,7 +16,7 @@ use super::panel::PlotPanel;
 use super::selection::ColumnSelection;
 use super::source::PlotSource;
 use crate::terminal::{
-    Ended, is_stdout_coloured, is_unicode, print, print_json, print_output, print_status, reject,
+    Ended, is_stdout_coloured, is_unicode, print, print_json, print_output, print_status, report_argument_error,
 };
 
 /// Arguments of `ancf plot`.
@@ -78,13 +78,13 @@ impl PlotArguments {
         let format =
             match self.output.as_ref().map(|file| FigureFormat::from_path(file).map(|format| (file, format)))
             {
-                Some(Err(message)) => return Ok(reject(&message)),
+                Some(Err(message)) => return Ok(report_argument_error(&message)),
                 Some(Ok(chosen)) => Some(chosen),
                 None => None,
             };
         let selection = match ColumnSelection::new(&source, &self.columns, self.against.as_deref()) {
             Ok(selection) => selection,
-            Err(message) => return Ok(reject(&message)),
+            Err(message) => return Ok(report_argument_error(&message)),
         };
         let range = [self.from.unwrap_or(f64::NEG_INFINITY), self.to.unwrap_or(f64::INFINITY)];
         let panels = selection.panels(&source, range);
@@ -94,7 +94,7 @@ impl PlotArguments {
                 false => "no values to plot in this range",
             };
             let message = format!("{}: {reason}", self.folder.display());
-            return Ok(reject(&message));
+            return Ok(report_argument_error(&message));
         }
         match format {
             Some((file, format)) => return self.write_figure(&panels, file, format),

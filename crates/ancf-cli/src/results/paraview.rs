@@ -12,7 +12,7 @@ use anyhow::Result;
 use clap::Args;
 
 use super::run_folder::{open_run, recording, title};
-use crate::terminal::{Ended, print, print_error, print_status, reject};
+use crate::terminal::{Ended, print, print_error, print_status, report_argument_error};
 
 /// Arguments of `ancf paraview`.
 #[derive(Debug, Args)]
@@ -53,7 +53,7 @@ impl ParaviewArguments {
             results.frames().map(|frame| frame.map(|frame| frame.value)).collect::<Result<_, _>>()?;
         if values.is_empty() {
             let folder = self.folder.display();
-            return Ok(reject(&format!(
+            return Ok(report_argument_error(&format!(
                 "{folder} contains no stored states: the run failed before the first one, `output.states` is 0, or their \
                  file was removed"
             )));
@@ -63,7 +63,7 @@ impl ParaviewArguments {
         if picked.is_empty() {
             let span =
                 values.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| [a.min(*x), b.max(*x)]);
-            return Ok(reject(&format!(
+            return Ok(report_argument_error(&format!(
                 "there is no frame from {} to {}; there are {} frames from {} to {}",
                 self.from,
                 self.to,

@@ -9,7 +9,7 @@ use ancf_results::{OpenError, Results};
 use ancf_surface::BodySurfaces;
 use anyhow::Result;
 
-use crate::terminal::{Ended, print_status, refuse, reject};
+use crate::terminal::{Ended, print_status, report_model_errors, report_argument_error};
 
 /// Opens a results folder and verifies its files. Reports a folder without a run.
 ///
@@ -27,13 +27,13 @@ pub fn open_run(folder: &Path) -> Result<Result<Results, Ended>> {
             }
             Ok(Ok(results))
         }
-        Ok(_) => Ok(Err(reject(&format!(
+        Ok(_) => Ok(Err(report_argument_error(&format!(
             "{} contains no run: there is a model.toml and no results",
             folder.display()
         )))),
-        Err(OpenError::Model { path, errors }) => Ok(Err(refuse(&errors, &path))),
+        Err(OpenError::Model { path, errors }) => Ok(Err(report_model_errors(&errors, &path))),
         Err(error @ (OpenError::NoRun(_) | OpenError::Sequence { .. })) => {
-            Ok(Err(reject(&error.to_string())))
+            Ok(Err(report_argument_error(&error.to_string())))
         }
         Err(error) => Err(error.into()),
     }

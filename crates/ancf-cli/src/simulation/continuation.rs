@@ -8,7 +8,7 @@ use anyhow::Result;
 
 use super::recording::{Command, Recorded, record, run_from};
 use crate::model::start_of;
-use crate::terminal::{print_status, refuse, reject};
+use crate::terminal::{print_status, report_model_errors, report_argument_error};
 
 /// Resumes a run from its last checkpoint, or from the beginning if there is none.
 pub fn resume(
@@ -21,7 +21,7 @@ pub fn resume(
     let simulation = Simulation::new(model)?.with_interrupt(interrupt.clone());
     let resumed = match Recorder::resume(folder.clone(), text, model, &simulation) {
         Err(error @ CheckpointError::Damaged { .. }) => {
-            return Ok(Recorded::rejected(reject(&error.to_string())));
+            return Ok(Recorded::rejected(report_argument_error(&error.to_string())));
         }
         resumed => resumed?,
     };
@@ -34,7 +34,7 @@ pub fn resume(
     let file = folder.model();
     let start = match start_of(model, &simulation, text, &file) {
         Ok(start) => start,
-        Err(errors) => return Ok(Recorded::rejected(refuse(&errors, &file))),
+        Err(errors) => return Ok(Recorded::rejected(report_model_errors(&errors, &file))),
     };
     let (surfaces, _) = BodySurfaces::of_run(model, folder.path());
     let recorder = Recorder::new(folder, &file.display().to_string(), text, model, &simulation);

@@ -15,7 +15,7 @@ use anyhow::Result;
 use serde::Serialize;
 
 use super::run_summary::RunSummary;
-use crate::terminal::{Ended, RunProgress, print, print_error, print_json, print_status, reject};
+use crate::terminal::{Ended, RunProgress, print, print_error, print_json, print_status, report_argument_error};
 
 /// Parses the interval of checkpoints: `1000` steps, or `10min`.
 pub fn checkpoint_interval(text: &str) -> Result<CheckpointInterval, String> {
@@ -75,7 +75,7 @@ pub fn record(
     let folder = recorder.folder().path().display().to_string();
     if let Err(ancf::Error::Checkpoint(mismatch)) = &summary {
         let path = recorder.folder().checkpoint();
-        return Ok(Recorded::rejected(reject(&format!(
+        return Ok(Recorded::rejected(report_argument_error(&format!(
             "{}: {mismatch}; without this file the run starts from the beginning",
             path.display()
         ))));

@@ -16,7 +16,7 @@ use super::requested_error::requested_error;
 use super::sequence::SequenceRun;
 use crate::model::{check_stages, start_of, surfaces_of};
 use crate::results::{REPORT, write_report};
-use crate::terminal::{Ended, interrupt, print_error, print_status, refuse, reject};
+use crate::terminal::{Ended, interrupt, print_error, print_status, report_model_errors, report_argument_error};
 
 /// Arguments of `ancf run`.
 #[derive(Debug, Args)]
@@ -63,7 +63,7 @@ impl RunArguments {
     pub fn run(&self) -> Result<Ended> {
         let folder = match self.folder() {
             Ok(folder) => folder,
-            Err(message) => return Ok(reject(&message)),
+            Err(message) => return Ok(report_argument_error(&message)),
         };
         let (ended, folder) = self.run_into(folder)?;
         if self.open && ended == Ended::Done {
@@ -98,7 +98,7 @@ impl RunArguments {
     fn run_into(&self, folder: PathBuf) -> Result<(Ended, PathBuf)> {
         let read = Model::read_text(&self.file).and_then(|text| Ok((ModelFile::parse(&text)?, text)));
         match read {
-            Err(errors) => Ok((refuse(&errors, &self.file), folder)),
+            Err(errors) => Ok((report_model_errors(&errors, &self.file), folder)),
             Ok((ModelFile::Single(model), text)) => Ok((self.run_single(*model, text, &folder)?, folder)),
             Ok((ModelFile::Sequence(sequence), text)) => self.run_sequence(text, sequence, folder),
         }
@@ -112,20 +112,20 @@ impl RunArguments {
     ) -> Result<(Ended, PathBuf)> {
         if self.to.is_some() {
             let message = "--to: refines the mesh of a single analysis, and the file has a list of analyses";
-            return Ok((reject(message), folder));
+            return Ok((report_argument_error(message), folder));
         }
         if self.errors {
             text = with_errors(&text)?;
             match AnalysisSequence::parse(&text) {
                 Ok(changed) => sequence = changed.unwrap_or(sequence),
-                Err(errors) => return Ok((refuse(&errors, &self.file), folder)),
+                Err(errors) => return Ok((report_model_errors(&errors, &self.file), folder)),
             }
         }
         let checked = check_stages(&sequence, &text);
         let surfaces = checked.and_then(|()| surfaces_of(&sequence.stages[0].model, &text, &self.file));
         let surfaces = match surfaces {
             Ok(surfaces) => surfaces,
-            Err(errors) => return Ok((refuse(&errors, &self.file), folder)),
+            Err(errors) => return Ok((report_model_errors(&errors, &self.file), folder)),
         };
         write_sequence(&folder, &text)?;
         let (file, checkpoint) = (self.file.as_path(), self.checkpoint);
@@ -155,7 +155,7 @@ impl RunArguments {
         });
         let (model, simulation, surfaces, start) = match prepared {
             Ok(prepared) => prepared,
-            Err(errors) => return Ok(refuse(&errors, &self.file)),
+            Err(errors) => return Ok(report_model_errors(&errors, &self.file)),
         };
         let text = if self.errors { with_errors(&text)? } else { text };
         let (name, display) = (self.file.display().to_string(), surfaces.files()?);
@@ -171,7 +171,7 @@ impl RunArguments {
             return Ok(record(Command::Single, &model, recorder, run)?.ended);
         };
         if !can_refine(&model.analysis) || start.is_some() {
-            return Ok(reject(
+            return Ok(report_argument_error(
                 "--to: refines the meshes of statics, modes and buckling that start in the undeformed state; `--errors` states the \
                  errors of motions",
             ));

@@ -14,7 +14,7 @@ use serde::Serialize;
 use super::continuation::resume;
 use super::recording::{Command, Recorded, record, run_from};
 use crate::model::start_of;
-use crate::terminal::{Ended, print_json, print_status, reject};
+use crate::terminal::{Ended, print_json, print_status, report_argument_error};
 
 /// Run of a sequence of analyses, each into a folder of its own.
 pub struct SequenceRun<'a> {
@@ -88,7 +88,7 @@ impl SequenceRun<'_> {
             Ok(prepared) => prepared,
             Err(errors) => {
                 let message = format!("{}: analysis `{}`: {errors}", self.file.display(), stage.name);
-                return Ok(Recorded::rejected(reject(&message)));
+                return Ok(Recorded::rejected(report_argument_error(&message)));
             }
         };
         let simulation = simulation.with_interrupt(self.interrupt.clone());

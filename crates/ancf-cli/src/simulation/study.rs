@@ -8,7 +8,7 @@ use anyhow::Result;
 use clap::Args;
 
 use super::study_summary;
-use crate::terminal::{Ended, case_bar, interrupt, print, print_error, print_json, print_status, refuse};
+use crate::terminal::{Ended, case_bar, interrupt, print, print_error, print_json, print_status, report_model_errors};
 
 /// Arguments of `ancf study`.
 #[derive(Debug, Args)]
@@ -52,7 +52,7 @@ impl StudyArguments {
     pub fn run(&self) -> Result<Ended> {
         match StudySource::read(&self.file) {
             Ok(source) => self.run_cases(source),
-            Err(StudyError::Invalid { path, errors }) => Ok(refuse(&errors, &path)),
+            Err(StudyError::Invalid { path, errors }) => Ok(report_model_errors(&errors, &path)),
             Err(error) => Err(error.into()),
         }
     }

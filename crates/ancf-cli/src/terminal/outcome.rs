@@ -23,7 +23,7 @@ pub enum Ended {
 }
 
 /// Reports the errors of a file.
-pub fn refuse(errors: &[ModelError], file: &Path) -> Ended {
+pub fn report_model_errors(errors: &[ModelError], file: &Path) -> Ended {
     let (name, text) = (file.display().to_string(), fs::read(file).unwrap_or_default());
     print_model_errors(errors, &name, &String::from_utf8_lossy(&text));
     print_json(&JsonErrors::from_errors(errors, &name));
@@ -36,7 +36,7 @@ pub fn print_model_errors(errors: &[ModelError], name: &str, text: &str) {
 }
 
 /// Reports an error of the arguments.
-pub fn reject(message: &str) -> Ended {
+pub fn report_argument_error(message: &str) -> Ended {
     print_error(&format!("error: {message}"));
     print_json(&JsonErrors::from_message(message));
     Ended::BadInput
@@ -45,5 +45,5 @@ pub fn reject(message: &str) -> Ended {
 /// Rejects a command that needs figures.
 #[cfg(not(feature = "figures"))]
 pub fn reject_figures() -> Ended {
-    reject("this program was built without figures; build it with the cargo feature `figures`")
+    report_argument_error("this program was built without figures; build it with the cargo feature `figures`")
 }

@@ -1,3 +1,4 @@
+use std::iter::Sum;
 use std::ops::Range;
 
 use ancf_solver::equations::{
@@ -25,6 +26,15 @@ impl Wrench {
     pub fn seen_from(&self, axes: &[Vector3<f64>; 3]) -> Self {
         let seen = |x: &Vector3<f64>| Vector3::from(axes.map(|axis| axis.dot(x)));
         Self { force: seen(&self.force), moment: seen(&self.moment) }
+    }
+}
+
+impl Sum for Wrench {
+    fn sum<I: Iterator<Item = Self>>(parts: I) -> Self {
+        parts.fold(Self::default(), |sum, part| Self {
+            force: sum.force + part.force,
+            moment: sum.moment + part.moment,
+        })
     }
 }
 

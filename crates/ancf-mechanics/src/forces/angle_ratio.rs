@@ -1,3 +1,5 @@
+use ancf_solver::equations::Inadmissibility;
+
 /// Returns f = β/sin β and its first two derivatives by C = cos β, for h = 1 − C.
 ///
 /// (1 − C²) f' = C f − 1 and (1 − C²) f'' = f + 3 C f'. For small h: f = Σ aₙ hⁿ, aₙ₊₁ = aₙ (n + 1)/(2n + 3).
@@ -19,6 +21,22 @@ pub(super) fn ratio(h: f64) -> [f64; 3] {
     let f = square.max(0.0).sqrt().atan2(c) / square.sqrt();
     let slope = (c * f - 1.0) / square;
     [f, slope, (f + 3.0 * c * slope) / square]
+}
+
+/// 1 + C at which a rotation counts as half a turn.
+const HALF_TURN: f64 = 1e-6;
+
+/// Returns the reason why a rotation is inadmissible, for the change C − 1 of the cosine of its angle.
+pub(super) fn inadmissible_angle(change: f64) -> Option<Inadmissibility> {
+    let is_admissible = 2.0 + change > HALF_TURN;
+    (!is_admissible).then_some(Inadmissibility::HalfTurn)
+}
+
+/// Returns true if a rotation passes half a turn between two states, for the changes C − 1 of the cosine of its angle and the vectors
+/// sin β n.
+pub(super) fn passes_half_turn(cosines: [f64; 2], [from, to]: [&[f64]; 2]) -> bool {
+    let product: f64 = from.iter().zip(to).map(|(from, to)| from * to).sum();
+    cosines[0].max(cosines[1]) < -1.0 && product < 0.0
 }
 
 #[cfg(test)]

@@ -1,10 +1,10 @@
 use ancf_solver::equations::{
-    Energy, Inadmissibility, LOCAL, Local, LocalMatrix, LocalStep, State, Term, Weights, correct_work,
-    middle_residual,
+    Energy, Inadmissibility, LOCAL, Local, LocalMatrix, LocalStep, State, Term, Weights, middle_residual,
 };
-use nalgebra::{Matrix6, Vector3, Vector6};
+use nalgebra::{Matrix6, Vector6};
 
-use super::angle_ratio::ratio;
+use super::angle_ratio::{inadmissible_angle, passes_half_turn, ratio};
+use super::measure_set::MeasureSet;
 use crate::constraints::{BilinearMeasure, Wrench, add_outer};
 
 /// Bushing with full matrices: forces and moments that are linear in the displacement and the rotation of one body relative
@@ -18,10 +18,8 @@ use crate::constraints::{BilinearMeasure, Wrench, add_outer};
 /// The derivative of the damper forces by q is not symmetric. The tangent contains its symmetric part.
 #[derive(Clone, Debug)]
 pub struct MatrixBushing {
-    global: [BilinearMeasure; MEASURES],
     /// Displacements, C and m.
-    measures: [BilinearMeasure; MEASURES],
-    coordinates: Vec<usize>,
+    measures: MeasureSet<MEASURES>,
     matrices: BushingMatrices,
 }
 
@@ -42,9 +40,6 @@ pub struct BushingMatrices {
 const MEASURES: usize = 7;
 /// Number of the product C.
 const COSINE: usize = 3;
-/// 1 + C at which the rotation counts as half a turn.
-const HALF_TURN: f64 = 1e-6;
-
 /// Change of C below which a difference quotient equals the derivative in the middle up to rounding.
 const SMALL_CHANGE: f64 = 1e-5;
 
@@ -110,16 +105,7 @@ impl MatrixBushing {
         matrices: BushingMatrices,
     ) -> Self {
         let ([a, b, c], [x, y, z]) = (displacements, sines);
-        let global = [a, b, c, cosine, x, y, z];
-        let mut coordinates: Vec<usize> = global.iter().flat_map(BilinearMeasure::coordinates).collect();
-        coordinates.sort_unstable();
-        coordinates.dedup();
-        let measures = global.each_ref().map(|measure| measure.within(&coordinates));
-        Self { global, measures, coordinates, matrices }
-    }
-
-    fn products(measures: &[BilinearMeasure; MEASURES], q: &[f64]) -> Products {
-        measures.each_ref().map(|measure| measure.change(q))
+        Self { measures: MeasureSet::new([a, b, c, cosine, x, y, z]), matrices }
     }
 
     /// Returns the forces on the components: K ζ + D ζ̇ + s p.
@@ -130,30 +116,18 @@ impl MatrixBushing {
 
     /// Returns the force and moment on the first body.
     pub fn reaction(&self, s: &State) -> Wrench {
-        let deformation = Deformation::of(&Self::products(&self.global, &s.q));
-        let rates = self.global.each_ref().map(|measure| measure.slope(&s.q, &s.v));
+        let [changes, rates] = self.measures.of_state(s);
+        let deformation = Deformation::of(&changes);
         let forces = self.forces(&deformation.value, &deformation.along(&rates), s.load);
-        let products = deformation.on_products(&forces);
-        self.global.iter().zip(products).map(|(measure, force)| measure.wrench(s, -force)).fold(
-            Wrench::default(),
-            |sum, part| Wrench { force: sum.force + part.force, moment: sum.moment + part.moment },
-        )
+        self.measures.reaction(s, deformation.on_products(&forces))
     }
 
     /// Returns the deformation, the rates of the products and the forces on the components.
     fn now(&self, at: &Local<'_>) -> (Deformation, Products, Vector6<f64>) {
-        let deformation = Deformation::of(&Self::products(&self.measures, at.q));
-        let rates = self.measures.each_ref().map(|measure| measure.slope(at.q, at.v));
+        let deformation = Deformation::of(&self.measures.changes(at.q));
+        let rates = self.measures.slopes(at.q, at.v);
         let forces = self.forces(&deformation.value, &deformation.along(&rates), at.load);
         (deformation, rates, forces)
-    }
-
-    fn gradients(&self, q: &[f64]) -> [[f64; LOCAL]; MEASURES] {
-        self.measures.each_ref().map(|measure| {
-            let mut gradient = [0.0; LOCAL];
-            measure.add_gradient(q, 1.0, &mut gradient[..q.len()]);
-            gradient
-        })
     }
 
     /// Adds the second derivative of Σ p ζ for forces p on the components.
@@ -173,8 +147,8 @@ impl MatrixBushing {
         }
         add_outer(&gradients[COSINE], &gradients[COSINE], twice, n, k);
         add_outer(&gradients[COSINE], &mixed, 2.0, n, k);
-        for (measure, force) in self.measures.iter().zip(deformation.on_products(forces)) {
-            measure.add_curvature(q, force, k);
+        for (i, force) in deformation.on_products(forces).into_iter().enumerate() {
+            self.measures.measure(i).add_curvature(q, force, k);
         }
     }
 
@@ -188,17 +162,18 @@ impl MatrixBushing {
         weight: f64,
         k: &mut LocalMatrix<'_>,
     ) {
-        let (n, deformation) = (at.q.len(), Deformation::of(&Self::products(&self.measures, at.q)));
+        let (n, deformation) = (at.q.len(), Deformation::of(&self.measures.changes(at.q)));
         let mut turned = [[0.0; LOCAL]; 6];
         for (i, turned) in turned.iter_mut().enumerate() {
             let own = own_product(i);
             let [of_cosine, of_both] = deformation.second[i];
             add(turned, &gradients[COSINE], of_cosine * rates[COSINE] + of_both * rates[own]);
             add(turned, &gradients[own], of_both * rates[COSINE]);
-            self.measures[own].add_gradient_slope(at.q, at.v, deformation.own[i], &mut turned[..n]);
+            let measure = self.measures.measure(own);
+            measure.add_gradient_slope(at.q, at.v, deformation.own[i], &mut turned[..n]);
             if i >= 3 {
-                let factor = deformation.by_cosine[i];
-                self.measures[COSINE].add_gradient_slope(at.q, at.v, factor, &mut turned[..n]);
+                let (factor, cosine) = (deformation.by_cosine[i], self.measures.measure(COSINE));
+                cosine.add_gradient_slope(at.q, at.v, factor, &mut turned[..n]);
             }
         }
         for (i, slope) in slopes.iter().enumerate() {
@@ -222,29 +197,19 @@ fn weighted(vectors: &[[f64; LOCAL]; 6], weight: impl Fn(usize) -> f64) -> [f64;
 
 impl Term for MatrixBushing {
     fn coordinates(&self) -> &[usize] {
-        &self.coordinates
+        self.measures.coordinates()
     }
 
     fn residual(&self, at: &Local<'_>, r: &mut [f64]) {
         let (deformation, _, forces) = self.now(at);
-        for (measure, force) in self.measures.iter().zip(deformation.on_products(&forces)) {
-            measure.add_gradient(at.q, force, r);
-        }
+        self.measures.add_forces(at.q, deformation.on_products(&forces), r);
     }
 
     fn rounding(&self, at: &Local<'_>, floor: &mut [f64]) {
-        let (n, gradients) = (at.q.len(), self.gradients(at.q));
+        let (n, gradients) = (at.q.len(), self.measures.gradients(at.q));
         let (deformation, rates, forces) = self.now(at);
         let products = deformation.on_products(&forces);
-        let mut errors = [[0.0; 2]; MEASURES];
-        for (i, (measure, force)) in self.measures.iter().zip(products).enumerate() {
-            let mut of_rate = [0.0; LOCAL];
-            let change = measure.add_rounding(at.q, force, floor);
-            measure.add_rounding(at.q, 1.0, &mut of_rate[..n]);
-            let slope =
-                (0..n).map(|j| (of_rate[j] + f64::EPSILON * gradients[i][j].abs()) * at.v[j].abs()).sum();
-            errors[i] = [change, slope];
-        }
+        let errors = self.measures.add_rounding(at, products, &gradients, floor);
         let (mut of_value, mut of_rate, mut turning) = (Vector6::zeros(), Vector6::zeros(), [0.0; 6]);
         for k in 0..6 {
             let (own, [of_cosine, of_both]) = (own_product(k), deformation.second[k].map(f64::abs));
@@ -272,7 +237,7 @@ impl Term for MatrixBushing {
     }
 
     fn tangent(&self, at: &Local<'_>, w: Weights, k: &mut LocalMatrix<'_>) {
-        let (n, gradients) = (at.q.len(), self.gradients(at.q));
+        let (n, gradients) = (at.q.len(), self.measures.gradients(at.q));
         let (deformation, rates, forces) = self.now(at);
         let mut slopes = [[0.0; LOCAL]; 6];
         for (i, slope) in slopes.iter_mut().enumerate() {
@@ -291,37 +256,22 @@ impl Term for MatrixBushing {
 
     fn average_residual(&self, step: &LocalStep<'_>, r: &mut [f64]) {
         middle_residual(self, step, r);
-        let [from, middle, to] =
-            [step.from.q, step.middle.q, step.to.q].map(|q| Self::products(&self.measures, q));
+        let [from, middle, to] = [step.from.q, step.middle.q, step.to.q].map(|q| self.measures.changes(q));
         let moved: Products = std::array::from_fn(|i| to[i] - from[i]);
         let (_, of_middle) = self.elastic(&middle, step.middle.load);
         let forces = self.of_step(&from, &to, step);
-        let (n, mut change) = (step.to.q.len(), [0.0; LOCAL]);
-        (0..n).for_each(|i| change[i] = step.to.q[i] - step.from.q[i]);
-        let (mut rest, mut bound) = (0.0, 0.0);
-        for (i, measure) in self.measures.iter().enumerate() {
-            measure.add_gradient(step.middle.q, forces[i] - of_middle[i], r);
-            if !measure.is_quadratic() {
-                let mut floor = [0.0; LOCAL];
-                let of_change = measure.add_rounding(step.middle.q, forces[i], &mut floor[..n]);
-                rest += forces[i] * (moved[i] - measure.slope(step.middle.q, &change[..n]));
-                bound += 2.0 * (forces[i] * of_change).abs();
-                bound += floor.iter().zip(change).map(|(floor, change)| floor * change.abs()).sum::<f64>();
-            }
-        }
-        correct_work(step, [rest, bound], r);
+        self.measures.replace_step_forces(step, [&of_middle, &forces], moved, r);
     }
 
     fn stress_stiffness(&self, at: &Local<'_>, by: &Local<'_>, k: &mut LocalMatrix<'_>) {
-        let deformation = Deformation::of(&Self::products(&self.measures, at.q));
-        let moved = self.measures.each_ref().map(|measure| measure.slope(at.q, by.q));
+        let deformation = Deformation::of(&self.measures.changes(at.q));
+        let moved = self.measures.slopes(at.q, by.q);
         let forces = self.forces(&deformation.along(&moved), &Vector6::zeros(), by.load);
-        self.add_curvature(at.q, &self.gradients(at.q), &deformation, &forces, k);
+        self.add_curvature(at.q, &self.measures.gradients(at.q), &deformation, &forces, k);
     }
 
     fn inadmissibility(&self, at: &Local<'_>) -> Option<Inadmissibility> {
-        let is_admissible = 2.0 + self.measures[COSINE].change(at.q) > HALF_TURN;
-        (!is_admissible).then_some(Inadmissibility::HalfTurn)
+        inadmissible_angle(self.measures.measure(COSINE).change(at.q))
     }
 
     fn has_half_turn(&self) -> bool {
@@ -329,14 +279,12 @@ impl Term for MatrixBushing {
     }
 
     fn passes_half_turn(&self, from: &Local<'_>, to: &Local<'_>) -> bool {
-        let [from, to] = [from, to].map(|at| Self::products(&self.measures, at.q));
-        let sine = |products: &Products| Vector3::from_column_slice(&products[COSINE + 1..]);
-        // The first product is C − 1.
-        from[COSINE].max(to[COSINE]) < -1.0 && sine(&from).dot(&sine(&to)) < 0.0
+        let [from, to] = [from, to].map(|at| self.measures.changes(at.q));
+        passes_half_turn([from[COSINE], to[COSINE]], [&from[COSINE + 1..], &to[COSINE + 1..]])
     }
 
     fn energy(&self, at: &Local<'_>) -> Energy {
-        let (strain, _) = self.elastic(&Self::products(&self.measures, at.q), at.load);
+        let (strain, _) = self.elastic(&self.measures.changes(at.q), at.load);
         Energy { strain, ..Energy::default() }
     }
 }

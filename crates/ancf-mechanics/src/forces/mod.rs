@@ -7,6 +7,7 @@ mod follower;
 mod force;
 mod friction;
 mod matrix_bushing;
+mod measure_set;
 mod moment;
 mod spring;
 mod strut;

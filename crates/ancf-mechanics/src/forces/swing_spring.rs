@@ -1,9 +1,9 @@
 use ancf_solver::equations::{
-    Energy, Inadmissibility, LOCAL, Local, LocalMatrix, LocalStep, State, Term, Weights, correct_work,
-    middle_residual,
+    Energy, Inadmissibility, LOCAL, Local, LocalMatrix, LocalStep, State, Term, Weights, middle_residual,
 };
 
-use super::angle_ratio::ratio;
+use super::angle_ratio::{inadmissible_angle, passes_half_turn, ratio};
+use super::measure_set::MeasureSet;
 use crate::constraints::{BilinearMeasure, Wrench, add_outer};
 
 /// Springs and parallel dampers that resist the swing of an axis x of one body from an axis e of another one.
@@ -18,18 +18,16 @@ use crate::constraints::{BilinearMeasure, Wrench, add_outer};
 /// Units: stiffness moment/radian, damping moment × time/radian.
 #[derive(Clone, Debug)]
 pub struct SwingSpring {
-    global: [BilinearMeasure; 3],
     /// x·e, x·u and x·v.
-    measures: [BilinearMeasure; 3],
-    coordinates: Vec<usize>,
+    measures: MeasureSet<3>,
     stiffness: [f64; 2],
     damping: [f64; 2],
 }
 
 /// Products whose sign and number give s_u and s_v.
 const PARTS: [(usize, f64); 2] = [(2, -1.0), (1, 1.0)];
-/// 1 + C at which the swing counts as half a turn.
-const HALF_TURN: f64 = 1e-6;
+/// Norm of the changes of the products in a step below which the forces of their means do its work.
+const SMALL_CHANGE: f64 = 1e-10;
 
 /// Component of the swing with its derivatives by the products C and m.
 #[derive(Clone, Copy)]
@@ -49,18 +47,12 @@ impl SwingSpring {
     /// Creates springs and dampers about u and v from the products x·e, x·u and x·v, which are 1, 0 and 0 in the reference
     /// state.
     pub fn new(products: [BilinearMeasure; 3], stiffness: [f64; 2], damping: [f64; 2]) -> Self {
-        let mut coordinates: Vec<usize> = products.iter().flat_map(BilinearMeasure::coordinates).collect();
-        coordinates.sort_unstable();
-        coordinates.dedup();
-        let measures = products.each_ref().map(|product| product.within(&coordinates));
-        Self { global: products, measures, coordinates, stiffness, damping }
+        Self { measures: MeasureSet::new(products), stiffness, damping }
     }
 
-    fn components(&self, measures: &[BilinearMeasure; 3], q: &[f64], v: &[f64]) -> [Component; 2] {
-        let [of_c, of_u, of_v] = measures.each_ref().map(|measure| measure.change(q));
-        let rates = measures.each_ref().map(|measure| measure.slope(q, v));
-        let [f, slope, curvature] = ratio(-of_c);
-        let products = [of_c, of_u, of_v];
+    /// Returns the components of the swing for the changes of the products and their rates.
+    fn components(&self, products: [f64; 3], rates: [f64; 3]) -> [Component; 2] {
+        let [f, slope, curvature] = ratio(-products[0]);
         [0, 1].map(|k| {
             let (part, sign) = PARTS[k];
             let (m, by) = (products[part], [sign * slope * products[part], sign * f]);
@@ -84,7 +76,7 @@ impl SwingSpring {
     }
 
     fn now(&self, at: &Local<'_>) -> [Component; 2] {
-        self.components(&self.measures, at.q, at.v)
+        self.components(self.measures.changes(at.q), self.measures.slopes(at.q, at.v))
     }
 
     /// Returns the generalised forces on the products.
@@ -99,19 +91,8 @@ impl SwingSpring {
 
     /// Returns the force and moment on the body of x.
     pub fn reaction(&self, s: &State) -> Wrench {
-        let forces = Self::forces(&self.components(&self.global, &s.q, &s.v));
-        self.global.iter().zip(forces).map(|(measure, force)| measure.wrench(s, -force)).fold(
-            Wrench::default(),
-            |sum, part| Wrench { force: sum.force + part.force, moment: sum.moment + part.moment },
-        )
-    }
-
-    fn gradients(&self, q: &[f64]) -> [[f64; LOCAL]; 3] {
-        self.measures.each_ref().map(|measure| {
-            let mut gradient = [0.0; LOCAL];
-            measure.add_gradient(q, 1.0, &mut gradient[..q.len()]);
-            gradient
-        })
+        let [changes, rates] = self.measures.of_state(s);
+        self.measures.reaction(s, Self::forces(&self.components(changes, rates)))
     }
 
     /// Adds f times the second derivative of a component.
@@ -126,8 +107,8 @@ impl SwingSpring {
         let n = q.len();
         add_outer(&gradients[0], &gradients[0], f * second[0], n, k);
         add_outer(&gradients[0], &gradients[*part], 2.0 * f * second[1], n, k);
-        self.measures[0].add_curvature(q, f * by[0], k);
-        self.measures[*part].add_curvature(q, f * by[1], k);
+        self.measures.measure(0).add_curvature(q, f * by[0], k);
+        self.measures.measure(*part).add_curvature(q, f * by[1], k);
     }
 }
 
@@ -138,27 +119,16 @@ fn sum(alpha: f64, x: &[f64; LOCAL], beta: f64, y: &[f64; LOCAL]) -> [f64; LOCAL
 
 impl Term for SwingSpring {
     fn coordinates(&self) -> &[usize] {
-        &self.coordinates
+        self.measures.coordinates()
     }
 
     fn residual(&self, at: &Local<'_>, r: &mut [f64]) {
-        for (measure, force) in self.measures.iter().zip(Self::forces(&self.now(at))) {
-            measure.add_gradient(at.q, force, r);
-        }
+        self.measures.add_forces(at.q, Self::forces(&self.now(at)), r);
     }
 
     fn rounding(&self, at: &Local<'_>, floor: &mut [f64]) {
-        let (n, components, gradients) = (at.q.len(), self.now(at), self.gradients(at.q));
-        let forces = Self::forces(&components);
-        let mut errors = [[0.0; 2]; 3];
-        for (i, (measure, force)) in self.measures.iter().zip(forces).enumerate() {
-            let mut of_rate = [0.0; LOCAL];
-            let change = measure.add_rounding(at.q, force, floor);
-            measure.add_rounding(at.q, 1.0, &mut of_rate[..n]);
-            let slope =
-                (0..n).map(|j| (of_rate[j] + f64::EPSILON * gradients[i][j].abs()) * at.v[j].abs()).sum();
-            errors[i] = [change, slope];
-        }
+        let (n, components, gradients) = (at.q.len(), self.now(at), self.measures.gradients(at.q));
+        let errors = self.measures.add_rounding(at, Self::forces(&components), &gradients, floor);
         for (k, Component { part, by, second, force, rate, .. }) in components.iter().enumerate() {
             let along = |of: usize| by[0].abs() * errors[0][of] + by[1].abs() * errors[*part][of];
             let turning = second[0].abs() * errors[0][0]
@@ -174,8 +144,8 @@ impl Term for SwingSpring {
     }
 
     fn tangent(&self, at: &Local<'_>, w: Weights, k: &mut LocalMatrix<'_>) {
-        let (n, gradients) = (at.q.len(), self.gradients(at.q));
-        let rates = self.measures.each_ref().map(|measure| measure.slope(at.q, at.v));
+        let (n, gradients) = (at.q.len(), self.measures.gradients(at.q));
+        let rates = self.measures.slopes(at.q, at.v);
         for (i, component) in self.now(at).iter().enumerate() {
             let Component { part, by, second, force, .. } = *component;
             let slope = sum(by[0], &gradients[0], by[1], &gradients[part]);
@@ -184,8 +154,9 @@ impl Term for SwingSpring {
             if self.damping[i] > 0.0 {
                 let of_c = second[0] * rates[0] + second[1] * rates[part];
                 let mut turned = sum(of_c, &gradients[0], second[1] * rates[0], &gradients[part]);
-                self.measures[0].add_gradient_slope(at.q, at.v, by[0], &mut turned[..n]);
-                self.measures[part].add_gradient_slope(at.q, at.v, by[1], &mut turned[..n]);
+                for (product, by) in [0, part].into_iter().zip(by) {
+                    self.measures.measure(product).add_gradient_slope(at.q, at.v, by, &mut turned[..n]);
+                }
                 add_outer(&slope, &turned, w.q * self.damping[i], n, k);
             }
         }
@@ -195,8 +166,7 @@ impl Term for SwingSpring {
     /// the change of the products.
     fn average_residual(&self, step: &LocalStep<'_>, r: &mut [f64]) {
         middle_residual(self, step, r);
-        let products = |q: &[f64]| self.measures.each_ref().map(|measure| measure.change(q));
-        let [from, middle, to] = [step.from.q, step.middle.q, step.to.q].map(products);
+        let [from, middle, to] = [step.from.q, step.middle.q, step.to.q].map(|q| self.measures.changes(q));
         let mean = [0, 1, 2].map(|i| 0.5 * (from[i] + to[i]));
         let moved = [0, 1, 2].map(|i| to[i] - from[i]);
         let (_, of_middle) = self.elastic(middle);
@@ -204,28 +174,15 @@ impl Term for SwingSpring {
         let work = self.elastic(to).0 - self.elastic(from).0;
         let missed = work - (0..3).map(|i| forces[i] * moved[i]).sum::<f64>();
         let square: f64 = moved.iter().map(|x| x * x).sum();
-        if square > 1e-20 {
+        if square > SMALL_CHANGE * SMALL_CHANGE {
             (0..3).for_each(|i| forces[i] += missed / square * moved[i]);
         }
-        let (n, mut change) = (step.to.q.len(), [0.0; LOCAL]);
-        (0..n).for_each(|i| change[i] = step.to.q[i] - step.from.q[i]);
-        let (mut rest, mut bound) = (0.0, 0.0);
-        for (i, measure) in self.measures.iter().enumerate() {
-            measure.add_gradient(step.middle.q, forces[i] - of_middle[i], r);
-            if !measure.is_quadratic() {
-                let mut floor = [0.0; LOCAL];
-                let of_change = measure.add_rounding(step.middle.q, forces[i], &mut floor[..n]);
-                rest += forces[i] * (moved[i] - measure.slope(step.middle.q, &change[..n]));
-                bound += 2.0 * (forces[i] * of_change).abs();
-                bound += floor.iter().zip(change).map(|(floor, change)| floor * change.abs()).sum::<f64>();
-            }
-        }
-        correct_work(step, [rest, bound], r);
+        self.measures.replace_step_forces(step, [&of_middle, &forces], moved, r);
     }
 
     fn stress_stiffness(&self, at: &Local<'_>, by: &Local<'_>, k: &mut LocalMatrix<'_>) {
-        let gradients = self.gradients(at.q);
-        let moved = self.measures.each_ref().map(|measure| measure.slope(at.q, by.q));
+        let gradients = self.measures.gradients(at.q);
+        let moved = self.measures.slopes(at.q, by.q);
         for (i, component) in self.now(at).iter().enumerate() {
             let turn = component.by[0] * moved[0] + component.by[1] * moved[component.part];
             self.add_curvature(at.q, &gradients, component, self.stiffness[i] * turn, k);
@@ -233,8 +190,7 @@ impl Term for SwingSpring {
     }
 
     fn inadmissibility(&self, at: &Local<'_>) -> Option<Inadmissibility> {
-        let is_admissible = 2.0 + self.measures[0].change(at.q) > HALF_TURN;
-        (!is_admissible).then_some(Inadmissibility::HalfTurn)
+        inadmissible_angle(self.measures.measure(0).change(at.q))
     }
 
     fn has_half_turn(&self) -> bool {
@@ -242,10 +198,8 @@ impl Term for SwingSpring {
     }
 
     fn passes_half_turn(&self, from: &Local<'_>, to: &Local<'_>) -> bool {
-        // Changes of x·e, x·u and x·v, which are 1, 0 and 0 in the reference state.
-        let [[c, u, v], [next, next_u, next_v]] =
-            [from, to].map(|at| self.measures.each_ref().map(|measure| measure.change(at.q)));
-        c.max(next) < -1.0 && u * next_u + v * next_v < 0.0
+        let [from, to] = [from, to].map(|at| self.measures.changes(at.q));
+        passes_half_turn([from[0], to[0]], [&from[1..], &to[1..]])
     }
 
     fn energy(&self, at: &Local<'_>) -> Energy {

@@ -6,8 +6,8 @@ use num_dual::DualNum;
 
 use super::marker::Marker;
 
-/// Real number with or without derivatives.
-pub(crate) trait Real: DualNum<Primitive = f64> + Copy {}
+/// Real number with or without derivatives: `f64` or a dual number.
+pub trait Real: DualNum<Primitive = f64> + Copy {}
 
 impl<T: DualNum<Primitive = f64> + Copy> Real for T {}
 

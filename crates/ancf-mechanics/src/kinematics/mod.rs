@@ -22,8 +22,8 @@ pub(crate) use body_vector::add_section;
 pub use curves::{
     ReferenceCurve, ReferenceNode, Spline, TridiagonalRow, solve_cyclic_tridiagonal, solve_tridiagonal,
 };
-pub use frame::add_symmetric;
-pub(crate) use frame::{Real, constant, visit_skew};
+pub use frame::{Real, add_symmetric};
+pub(crate) use frame::{constant, visit_skew};
 pub(crate) use line::{AxialStretch, Bend, BendBlocks};
 pub use marker::Marker;
 pub use nodal_vector::NodalVector;

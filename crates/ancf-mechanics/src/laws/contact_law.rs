@@ -49,11 +49,7 @@ impl ContactLaw {
     }
 
     /// Returns the pressure p at a gap.
-    pub fn pressure(&self, gap: f64) -> f64 {
-        self.smooth_pressure(gap)
-    }
-
-    pub(crate) fn smooth_pressure<D: Real>(&self, gap: D) -> D {
+    pub fn pressure<D: Real>(&self, gap: D) -> D {
         let (k, delta, depth) = (self.stiffness, self.transition, -gap);
         match depth.re() {
             d if d <= 0.0 => D::from(0.0),
@@ -83,20 +79,12 @@ impl ContactLaw {
     }
 
     /// Returns the normal force N at a gap and its rate.
-    pub fn normal(&self, gap: f64, rate: f64) -> f64 {
-        self.smooth_normal(gap, rate)
-    }
-
-    pub(crate) fn smooth_normal<D: Real>(&self, gap: D, rate: D) -> D {
-        self.smooth_pressure(gap) * damping_factor(rate * self.damping)
+    pub fn normal<D: Real>(&self, gap: D, rate: D) -> D {
+        self.pressure(gap) * damping_factor(rate * self.damping)
     }
 
     /// Returns the friction force of a normal force N on the body with the given relative velocity.
-    pub fn tangential(&self, normal: f64, direction: &Vector3<f64>, velocity: &Vector3<f64>) -> Vector3<f64> {
-        self.smooth_tangential(normal, direction, velocity)
-    }
-
-    pub(crate) fn smooth_tangential<D: Real>(
+    pub fn tangential<D: Real>(
         &self,
         normal: D,
         direction: &Vector3<D>,
@@ -158,13 +146,19 @@ impl ContactLaw {
     /// Bounds the rounding error of the force at a gap and a speed.
     ///
     /// The gap, the direction and the velocities have errors of ε times the given numbers.
-    pub(crate) fn rounding(&self, gap: f64, speed: f64, [gaps, tilt, rushed]: [f64; 3]) -> f64 {
+    pub(crate) fn rounding(
+        &self,
+        gap: f64,
+        speed: f64,
+        [of_gap, of_direction, of_velocity]: [f64; 3],
+    ) -> f64 {
         let pressure = self.pressure(gap);
-        let eager = 1.0 + 2.0 * self.damping * speed;
-        let normal = (self.slope(gap) * gaps + pressure * tilt) * eager
-            + pressure * self.damping * 2.0 * (rushed + speed * tilt);
-        let slid = pressure * eager * self.friction * (rushed + speed * tilt) / self.slip_speed;
-        2.0 * f64::EPSILON * (normal * (1.0 + self.friction) + slid)
+        let approach = 1.0 + 2.0 * self.damping * speed;
+        let velocity = of_velocity + speed * of_direction;
+        let normal = (self.slope(gap) * of_gap + pressure * of_direction) * approach
+            + pressure * self.damping * 2.0 * velocity;
+        let sliding = pressure * approach * self.friction * velocity / self.slip_speed;
+        2.0 * f64::EPSILON * (normal * (1.0 + self.friction) + sliding)
     }
 }
 

@@ -17,8 +17,8 @@ impl Stops {
     /// Returns the force in the direction of the coordinate.
     fn force<D: Real>(&self, x: D, v: D) -> D {
         let [lower, upper] = self.at;
-        let up = lower.map_or(D::from(0.0), |lower| self.law.smooth_normal(x - lower, v));
-        let down = upper.map_or(D::from(0.0), |upper| self.law.smooth_normal(-x + upper, -v));
+        let up = lower.map_or(D::from(0.0), |lower| self.law.normal(x - lower, v));
+        let down = upper.map_or(D::from(0.0), |upper| self.law.normal(-x + upper, -v));
         up - down
     }
 }

@@ -43,7 +43,7 @@ pub struct EnergyRecord {
     decrease: f64,
     most_decrease: f64,
     /// Number of attempted steps that made too much energy.
-    pub(crate) refused: u32,
+    pub(crate) rejected: u32,
 }
 
 /// Share of a step in the delayed reference.
@@ -110,8 +110,8 @@ impl EnergyRecord {
     }
 
     /// Returns the number of attempted steps that made too much energy and were rejected.
-    pub fn refused(&self) -> u32 {
-        self.refused
+    pub fn rejected(&self) -> u32 {
+        self.rejected
     }
 
     /// Returns the record after a step, in which the dissipated energy decreases by `decrease` without a reason.
@@ -154,7 +154,7 @@ pub(crate) struct EnergyAttempt {
     pub(crate) exchange: Power,
     pub(crate) record: EnergyRecord,
     /// Number of attempts since the last accepted step that made too much energy.
-    pub(crate) refused: u32,
+    pub(crate) rejected: u32,
 }
 
 /// Returns the coordinate with the largest change of velocity, measured as energy.

@@ -259,7 +259,7 @@ impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
         if is_permitted {
             return Ok(done);
         }
-        self.energies.refused = self.energies.refused.saturating_add(1);
+        self.energies.rejected = self.energies.rejected.saturating_add(1);
         let worst = fastest_change(&self.motion.state, &self.before, &self.newton.tangent.factor);
         self.revert();
         Err(SolveError::after(done, to, SolveFailure::EnergyMade, worst))
@@ -272,10 +272,10 @@ impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
 
     /// Accepts the end of the attempt as the current state.
     pub(crate) fn accept(&mut self, done: &NewtonReport, report: &mut StepReport) {
-        let EnergyAttempt { energy, power, exchange, record, refused } = std::mem::take(&mut self.energies);
+        let EnergyAttempt { energy, power, exchange, record, rejected } = std::mem::take(&mut self.energies);
         self.motion.exchanged += exchange;
         (self.motion.energy, self.motion.power, self.motion.record) = (energy, power, record);
-        self.motion.record.refused = record.refused.saturating_add(refused);
+        self.motion.record.rejected = record.rejected.saturating_add(rejected);
         self.motion.damping.accept(&self.damping);
         self.motion.h = self.motion.state.t - self.before.t;
         self.motion.adapted_h = self.motion.h;

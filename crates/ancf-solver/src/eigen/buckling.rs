@@ -287,8 +287,8 @@ impl BucklingPencil<'_> {
             let mut change: Vec<f64> = image.iter().zip(refined).map(|(a, b)| a - b).collect();
             let square = |x: &mut [f64]| {
                 x[n..].fill(0.0);
-                let weighed = self.mass.times(x);
-                x.iter().zip(weighed).map(|(x, weighed)| x * weighed).sum::<f64>()
+                let product = self.mass.times(x);
+                x.iter().zip(product).map(|(x, product)| x * product).sum::<f64>()
             };
             if square(&mut change) <= NOISE * NOISE * square(&mut image) {
                 return Ok(true);

@@ -134,9 +134,9 @@ impl<'a> Pencil<'a> {
 
     /// Returns the sign of the first of the largest entries. Entries within a relative 10⁻⁶ count as equal.
     pub(super) fn sign(&self, x: &DVector<f64>) -> f64 {
-        let weighed: Vec<f64> =
+        let sizes: Vec<f64> =
             self.mass.diagonal().iter().zip(x).map(|(mass, x)| (x * mass.abs().sqrt()).abs()).collect();
-        let own = &weighed[..self.eom.coordinates()];
+        let own = &sizes[..self.eom.coordinates()];
         let largest = own.iter().copied().fold(0.0, f64::max);
         let first = own.iter().position(|size| *size >= (1.0 - 1e-6) * largest);
         first.map_or(1.0, |i| x[i].signum())

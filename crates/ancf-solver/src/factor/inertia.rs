@@ -3,10 +3,17 @@ use nalgebra::DMatrix;
 use super::factorisation::Factor;
 use super::scaled_lu::equilibrate;
 use crate::sparse::SparseMatrix;
+use crate::vectors::PseudoRandom;
 
 /// Weight of the constraints relative to the largest entry of K. It is larger than one, since multipliers add negative
 /// entries of the size of K, and not an integer, so that sums do not cancel.
 const WEIGHT: f64 = 61.803_398_87;
+
+/// Returns the number of negative eigenvalues of a matrix by its factors, or else by those of the augmented matrix; `None` if neither
+/// provide it.
+pub(crate) fn negative_eigenvalues(k: &SparseMatrix, factor: &Factor) -> Option<usize> {
+    factor.negative_pivots().or_else(|| inertia(k))
+}
 
 /// Returns the number of negative eigenvalues of [K, Φ_qᵀ; Φ_q, 0] where K may be singular without the constraints.
 ///
@@ -65,9 +72,8 @@ fn inertia_by_factors(k: &SparseMatrix) -> Option<usize> {
     }
     let mut factor = Factor::new(pattern).ok()?;
     factor.factorise(&augmented).ok()?;
-    // A solution verifies the accuracy of the factors. The right-hand side has components along all eigenvectors.
-    let mut x: Vec<f64> =
-        (0..pattern.size()).map(|i| ((i + 1) as f64 * 0.754_877_67).fract() - 0.5).collect();
+    // A solution verifies the accuracy of the factors.
+    let mut x = PseudoRandom(11).vector(pattern.size());
     factor.solve(&augmented, &mut x).ok()?;
     factor.negative_pivots()
 }

@@ -19,7 +19,7 @@ const HELD: f64 = 1e-20;
 ///
 /// # Errors
 /// If the factors do not solve.
-pub fn is_zero_on_motions(
+pub(crate) fn is_zero_on_motions(
     entries: &[(usize, usize, f64)],
     coordinates: usize,
     matrix: &SparseMatrix,

@@ -12,7 +12,6 @@ use super::rounding_floor::FLOOR;
 use super::stopping::{NewtonReport, REMAINDER, StopRule, remainder_target};
 use super::tangent::{NewtonTangent, TangentCheckpoint};
 use crate::equations::{EquationsOfMotion, State, Weights};
-use crate::factor::inertia;
 use crate::sparse::SparseMatrix;
 use crate::vectors::{dot, for_each_chunk, norm};
 
@@ -260,15 +259,6 @@ impl Newton {
     fn is_small(&self, eom: &dyn EquationsOfMotion, s: &State, progress: &IterationProgress) -> bool {
         let is_small = |last| last <= SMALL * self.energy.max(eom.energy(s).largest());
         self.weights != Weights::STIFFNESS || progress.last.is_some_and(is_small)
-    }
-
-    /// Returns the number of negative eigenvalues of the last factorised matrix in excess of the number of multipliers.
-    ///
-    /// In statics this is the number of unstable directions. Returns `None` if neither the factors nor those of the
-    /// augmented matrix provide the inertia.
-    pub(crate) fn unstable(&self, eom: &dyn EquationsOfMotion) -> Option<usize> {
-        let NewtonTangent { matrix, factor, .. } = &self.tangent;
-        factor.negative_pivots().or_else(|| inertia(matrix))?.checked_sub(eom.multipliers())
     }
 
     /// Ends the iteration if the residual is small enough, at its rounding floor or not finite, or on interrupt.

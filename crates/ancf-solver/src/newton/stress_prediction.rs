@@ -1,5 +1,5 @@
 use crate::equations::{EquationsOfMotion, State, Weights};
-use crate::factor::{Factor, inertia};
+use crate::factor::{Factor, negative_eigenvalues};
 use crate::sparse::SparseMatrix;
 
 /// Stresses of the tangent in statics: those that the last linear system predicted, in place of those of the iterate.
@@ -92,7 +92,7 @@ impl StressPrediction {
         }
         self.from.copy_from(s);
         let is_factorised = factor.factorise(matrix).is_ok();
-        is_factorised && factor.negative_pivots().or_else(|| inertia(matrix)) == Some(eom.multipliers())
+        is_factorised && negative_eigenvalues(matrix, factor) == Some(eom.multipliers())
     }
 
     /// Chooses the least strain of cables after the increment `z` of the first tangent. Returns true if it has changed: the increment

@@ -6,7 +6,7 @@ use super::error::SolveFailure;
 use super::stress_prediction::StressPrediction;
 use super::tangent_usage::{TangentAge, TangentPolicy, TangentUsage};
 use crate::equations::{EquationsOfMotion, State, Weights};
-use crate::factor::{Factor, FactorHistory, is_zero_on_motions, solve_with_skew_part};
+use crate::factor::{Factor, FactorHistory, solve_with_skew_part};
 use crate::sparse::SparseMatrix;
 
 /// Factorised tangent of Newton's method with the policy of its reuse.
@@ -251,12 +251,6 @@ impl NewtonTangent {
             solve(z)
         };
         solved.map_err(|_| SolveFailure::Singular)
-    }
-
-    /// Returns true if the constraints leave nothing of the skew part of the stiffness. The factors are those of a stiffness.
-    pub(crate) fn is_symmetric_on_motions(&mut self, eom: &dyn EquationsOfMotion, s: &State) -> bool {
-        let Self { matrix, factor, .. } = self;
-        is_zero_on_motions(&eom.skew_stiffness(s), eom.coordinates(), matrix, factor).unwrap_or(false)
     }
 
     /// Records the rate θ of the last two increments of a solution.

@@ -1,11 +1,12 @@
 use std::ops::ControlFlow;
 
-use super::arc_metric::{Metric, PathTangent, PlaneUpdate, refined_response, response};
-use super::equilibrium::{Equilibrium, check_change, unstable_directions};
+use super::arc_metric::{Metric, PathTangent, PlaneUpdate};
+use super::equilibrium::{Equilibrium, check_change};
+use super::linear_response::{load_response, refined_load_response};
 use super::path_point::{ArcLengthSteps, EndConditions, EndReason, LimitPoint, PathPoint};
+use super::stability::unstable_directions;
 use crate::equations::{Energy, EquationsOfMotion, State};
 use crate::newton::{ActiveSet, EquilibriumError, FullUpdate, Newton, SolveError, SolveFailure};
-use crate::sparse::SparseMatrix;
 
 /// Smallest cosine between the tangents at both ends of a step (60°), and between the chord and the first tangent
 /// (30°).
@@ -81,12 +82,10 @@ impl<'a, E: EquationsOfMotion> ArcLength<'a, E> {
         let mut begin = |newton: &mut Newton, start: &mut State| {
             loop {
                 let found = Equilibrium::find(newton, &mut FullUpdate, &*eom, start)?;
-                let Some((complete, matrix)) = eom.with_active_terms(start) else {
-                    return refined_response(newton, &*eom, start)
-                        .map_err(|failure| found.reject(failure, start));
-                };
-                eom.replace(complete);
-                newton.replace_matrix(matrix)?;
+                if !eom.include_active_terms(newton, start)? {
+                    let responses = refined_load_response(newton, &*eom, start);
+                    return responses.map_err(|failure| found.reject(failure, start));
+                }
             }
         };
         let [response, refined] = begin(&mut newton, &mut start).map_err(|cause| EquilibriumError {
@@ -97,7 +96,8 @@ impl<'a, E: EquationsOfMotion> ArcLength<'a, E> {
         let metric = Metric::new(&*eom, &start, newton.tangent.matrix.clone(), [&response, &refined]);
         let tangent = metric.tangent(response, start.q.len());
         newton.record_energy(eom.energy(&start).largest());
-        let unstable = unstable_directions(&mut newton, &*eom, &start);
+        let (matrix, factor) = newton.tangent.lend();
+        let unstable = unstable_directions(&*eom, &start, matrix, factor);
         let trial_tangent = PathTangent::zero(tangent.z.len());
         let (trial, step) = (start.clone(), steps.first);
         Ok(Self {
@@ -272,31 +272,25 @@ impl<'a, E: EquationsOfMotion> ArcLength<'a, E> {
 
     /// Solves for the equilibrium at a length σ beyond the current point, and for its tangent.
     fn attempt(&mut self, length: f64) -> Result<Equilibrium, SolveError> {
-        if let Some((eom, matrix)) = self.eom.with_near_terms(&self.state) {
-            self.replace_equations(eom, matrix)?;
-        }
+        self.eom.include_near_terms(&mut self.newton, &self.state)?;
         let mut found = Equilibrium::default();
         loop {
             self.trial.copy_from(&self.state);
             self.tangent.move_by(length, &mut self.trial);
             let Self { newton, eom, tangent, trial, .. } = self;
             found = found.repeated(Equilibrium::find(newton, &mut PlaneUpdate(tangent), &**eom, trial)?);
-            let Some((eom, matrix)) = eom.with_active_terms(trial) else { return self.update_tangent(found) };
-            // A term that is active there was not included.
-            self.replace_equations(eom, matrix)?;
+            if !eom.include_active_terms(newton, trial)? {
+                return self.update_tangent(found);
+            }
         }
-    }
-
-    fn replace_equations(&mut self, eom: E, matrix: SparseMatrix) -> Result<(), SolveError> {
-        self.eom.replace(eom);
-        self.newton.replace_matrix(matrix)
     }
 
     /// Computes the tangent at the trial state.
     fn update_tangent(&mut self, mut found: Equilibrium) -> Result<Equilibrium, SolveError> {
-        let response = response(&mut self.newton, &*self.eom, &self.trial)
+        let response = load_response(&mut self.newton, &*self.eom, &self.trial)
             .map_err(|failure| found.reject(failure, &self.trial))?;
-        found.unstable = unstable_directions(&mut self.newton, &*self.eom, &self.trial);
+        let (matrix, factor) = self.newton.tangent.lend();
+        found.unstable = unstable_directions(&*self.eom, &self.trial, matrix, factor);
         self.trial_tangent = self.metric.tangent(response, self.trial.q.len());
         if self.trial_tangent.product(&self.tangent) < 0.0 {
             self.trial_tangent.scale(-1.0);
@@ -344,8 +338,7 @@ impl<'a, E: EquationsOfMotion> ArcLength<'a, E> {
     fn solve_at_load(&mut self, target: f64, step_end: &mut StepEnd) -> Result<(), SolveError> {
         self.trial.load = target;
         let mut found = Equilibrium::find(&mut self.newton, &mut FullUpdate, &*self.eom, &mut self.trial)?;
-        while let Some((eom, matrix)) = self.eom.with_active_terms(&self.trial) {
-            self.replace_equations(eom, matrix)?;
+        while self.eom.include_active_terms(&mut self.newton, &self.trial)? {
             found = found.repeated(Equilibrium::find(
                 &mut self.newton,
                 &mut FullUpdate,

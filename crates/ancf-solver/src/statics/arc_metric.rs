@@ -1,6 +1,6 @@
 use crate::equations::{EquationsOfMotion, State, Weights};
 use crate::factor::{DETERMINED, solve_with_skew_part};
-use crate::newton::{LinearSolution, Newton, NewtonTangent, SolveFailure, StateUpdate};
+use crate::newton::{LinearSolution, SolveFailure, StateUpdate};
 use crate::sparse::SparseMatrix;
 use crate::vectors::dot;
 
@@ -112,34 +112,6 @@ impl PathTangent {
         self.z.iter_mut().chain(&mut self.dual).for_each(|x| *x *= by);
         self.load *= by;
     }
-}
-
-/// Solves dz/ds = −K⁻¹ ∂r/∂s at an equilibrium. Leaves the factors of K(s) in `newton`.
-pub(crate) fn response(
-    newton: &mut Newton,
-    eom: &dyn EquationsOfMotion,
-    s: &State,
-) -> Result<Vec<f64>, SolveFailure> {
-    newton.tangent.prepare(eom, s, Weights::STIFFNESS)?;
-    let (mut response, NewtonTangent { matrix, factor, .. }) = (eom.load_force(s), &mut newton.tangent);
-    solve_with_skew_part(&eom.skew_stiffness(s), &mut response, &mut |x| factor.solve(matrix, x))
-        .map_err(|_| SolveFailure::Singular)?;
-    Ok(response)
-}
-
-/// Solves as [`response`], and once more with a further step of refinement.
-pub(crate) fn refined_response(
-    newton: &mut Newton,
-    eom: &dyn EquationsOfMotion,
-    s: &State,
-) -> Result<[Vec<f64>; 2], SolveFailure> {
-    newton.tangent.prepare(eom, s, Weights::STIFFNESS)?;
-    let force = eom.load_force(s);
-    let NewtonTangent { matrix, factor, .. } = &mut newton.tangent;
-    let mut response = force.clone();
-    factor.solve(matrix, &mut response).map_err(|_| SolveFailure::Singular)?;
-    let refined = factor.refined(matrix, &force, &response);
-    Ok([response, refined.map_err(|_| SolveFailure::Singular)?])
 }
 
 /// Update within the plane normal to a tangent with free load factor: z = δ + ds dz/ds with τ·(z, ds) = 0.

@@ -1,3 +1,4 @@
+use super::stability::unstable_directions;
 use crate::equations::{Energy, EquationsOfMotion, Inadmissibility, Rotation, State, Weights};
 use crate::newton::{Newton, NewtonReport, SolveError, SolveFailure, StateUpdate};
 
@@ -41,7 +42,8 @@ impl Equilibrium {
             return Err(SolveError::after(report, s.t, SolveFailure::Inadmissible(reason), worst));
         }
         let NewtonReport { iterations, residual, increment, floor } = report;
-        let (unstable, energy) = (unstable_directions(newton, eom, s), eom.energy(s));
+        let (matrix, factor) = newton.tangent.lend();
+        let (unstable, energy) = (unstable_directions(eom, s, matrix, factor), eom.energy(s));
         Ok(Self { iterations, attempts: 1, residual, increment, floor, unstable, energy })
     }
 
@@ -70,17 +72,6 @@ impl Equilibrium {
         self.iterations += cause.iterations;
         self.attempts += 1;
     }
-}
-
-/// Returns the number of [unstable directions](Equilibrium::unstable) of an equilibrium.
-pub(super) fn unstable_directions(
-    newton: &mut Newton,
-    eom: &dyn EquationsOfMotion,
-    s: &State,
-) -> Option<usize> {
-    // With loads without a potential, an indefinite symmetric part does not imply instability.
-    let count = newton.unstable(eom)?;
-    (count == 0 || newton.tangent.is_symmetric_on_motions(eom, s)).then_some(count)
 }
 
 /// Rejects an equilibrium that is too far from the previous one. Returns the largest rotation relative to its limit.

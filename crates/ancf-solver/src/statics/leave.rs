@@ -1,7 +1,8 @@
 use super::equilibrium::Equilibrium;
 use crate::equations::{EquationsOfMotion, State, Weights};
-use crate::factor::inertia;
+use crate::factor::negative_eigenvalues;
 use crate::newton::{ActiveSet, LineSearch, Newton, SolveError, SolveFailure};
+use crate::vectors::PseudoRandom;
 
 /// First and largest rotation of an iteration, relative to the largest rotation of a load increment.
 const ROTATIONS: [f64; 2] = [1e-3, 0.1];
@@ -29,10 +30,7 @@ pub(super) fn leave<E: EquationsOfMotion>(
     let mut z = excitation(&**eom, s);
     let mut shift = 0.0;
     for iteration in 0..ITERATIONS {
-        if let Some((extended, matrix)) = eom.with_near_terms(s) {
-            eom.replace(extended);
-            newton.replace_matrix(matrix)?;
-        }
+        eom.include_near_terms(newton, s)?;
         if iteration > 0 {
             eom.residual(s, &mut z);
             z.iter_mut().for_each(|r| *r = -*r);
@@ -42,8 +40,8 @@ pub(super) fn leave<E: EquationsOfMotion>(
         if iteration > 0 && shift == 0.0 && rotation < CLOSE {
             let mut end = s.clone();
             let found = Equilibrium::find(newton, search, &**eom, &mut end)?;
-            let is_active = eom.with_active_terms(&end).is_none();
-            if is_active && found.unstable == Some(0) && eom.rotation(s, &end).size < ROTATIONS[1] {
+            let is_complete = eom.with_active_terms(&end).is_none();
+            if is_complete && found.unstable == Some(0) && eom.rotation(s, &end).size < ROTATIONS[1] {
                 s.copy_from(&end);
                 return Ok(Equilibrium { iterations: found.iterations + iteration, ..found });
             }
@@ -58,10 +56,9 @@ fn excitation<E: EquationsOfMotion>(eom: &E, s: &State) -> Vec<f64> {
     let mut load = vec![0.0; n + m];
     eom.rounding(s, &mut load);
     let largest = load[..n].iter().copied().fold(f64::MIN_POSITIVE, f64::max);
-    for (i, load) in load.iter_mut().enumerate() {
-        let random = ((i + 1) as f64 * 0.754_877_67).fract() - 0.5;
-        *load = if i < n { random * (1.0 + *load / largest) } else { 0.0 };
-    }
+    let mut random = PseudoRandom(23);
+    load[..n].iter_mut().for_each(|load| *load = random.number() * (1.0 + *load / largest));
+    load[n..].fill(0.0);
     load
 }
 
@@ -83,7 +80,7 @@ fn solve<E: EquationsOfMotion>(
         if factor.factorise(matrix).is_ok()
             && factor.solve_increment(matrix, &mut z.to_vec(), &s.lambda).is_ok()
         {
-            let negative = factor.negative_pivots().or_else(|| inertia(matrix));
+            let negative = negative_eigenvalues(matrix, factor);
             if negative.is_some_and(|negative| negative <= eom.multipliers()) {
                 return factor.solve_increment(matrix, z, &s.lambda).ok().map(|()| shift);
             }

@@ -1,6 +1,7 @@
-use crate::equations::{EquationsOfMotion, State};
-use crate::factor::solve_with_skew_part;
-use crate::newton::{ActiveSet, Newton, NewtonTangent};
+use crate::equations::{EquationsOfMotion, State, Weights};
+use crate::factor::{Factor, solve_with_skew_part};
+use crate::newton::{ActiveSet, Newton, NewtonTangent, SolveFailure};
+use crate::sparse::SparseMatrix;
 
 /// Equilibrium with the factors of its last increment.
 #[derive(Debug)]
@@ -26,17 +27,58 @@ impl<'a, E: EquationsOfMotion> EquilibriumResponse<'a, E> {
     }
 }
 
-/// Solves K z = f with the last factors of `newton`; `None` if the solution is not accurate.
-///
-/// The skew part of the stiffness, of loads without a potential, is included.
+/// Solves K z = f with the last factors of `newton`, as [`stiffness_solution`].
 pub(crate) fn linear_response(
     newton: &mut Newton,
     eom: &dyn EquationsOfMotion,
     s: &State,
     force: &[f64],
 ) -> Option<Vec<f64>> {
-    let (mut z, NewtonTangent { matrix, factor, .. }) = (force.to_vec(), &mut newton.tangent);
+    let NewtonTangent { matrix, factor, .. } = &mut newton.tangent;
+    stiffness_solution(eom, s, (matrix, factor), force)
+}
+
+/// Solves K z = f with the factors of K; `None` if the solution is not accurate.
+///
+/// The skew part of the stiffness, of loads without a potential, is included.
+pub(crate) fn stiffness_solution(
+    eom: &dyn EquationsOfMotion,
+    s: &State,
+    (matrix, factor): (&SparseMatrix, &mut Factor),
+    force: &[f64],
+) -> Option<Vec<f64>> {
+    let mut z = force.to_vec();
     let solve = &mut |x: &mut [f64]| factor.solve(matrix, x);
     let is_solved = solve_with_skew_part(&eom.skew_stiffness(s), &mut z, solve).ok()?;
     (is_solved && z.iter().all(|x| x.is_finite())).then_some(z)
+}
+
+/// Solves dz/ds = −K⁻¹ ∂r/∂s at an equilibrium with new factors of K.
+pub(crate) fn load_response(
+    newton: &mut Newton,
+    eom: &dyn EquationsOfMotion,
+    s: &State,
+) -> Result<Vec<f64>, SolveFailure> {
+    newton.tangent.prepare(eom, s, Weights::STIFFNESS)?;
+    linear_response(newton, eom, s, &eom.load_force(s)).ok_or(SolveFailure::Singular)
+}
+
+/// Solves as [`load_response`], and once more with a further step of refinement.
+pub(crate) fn refined_load_response(
+    newton: &mut Newton,
+    eom: &dyn EquationsOfMotion,
+    s: &State,
+) -> Result<[Vec<f64>; 2], SolveFailure> {
+    let response = load_response(newton, eom, s)?;
+    let (skew, mut rest) = (eom.skew_stiffness(s), eom.load_force(s));
+    for (rest, product) in rest.iter_mut().zip(newton.tangent.matrix.times(&response)) {
+        *rest -= product;
+    }
+    for (i, j, value) in skew {
+        rest[i] -= value * response[j];
+        rest[j] += value * response[i];
+    }
+    let correction = linear_response(newton, eom, s, &rest).ok_or(SolveFailure::Singular)?;
+    let refined = response.iter().zip(&correction).map(|(x, correction)| x + correction).collect();
+    Ok([response, refined])
 }

@@ -5,7 +5,6 @@ use super::leave::leave;
 use super::linear_response::{EquilibriumResponse, linear_response};
 use crate::equations::{Energy, EquationsOfMotion, State};
 use crate::newton::{ActiveSet, EquilibriumError, LineSearch, Newton, SolveError, SolveFailure};
-use crate::sparse::SparseMatrix;
 
 /// Sizes of load increments, relative to the interval between the first and the last load factor.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -174,9 +173,9 @@ impl<'a, E: EquationsOfMotion> LoadStepper<'a, E> {
             let solution = Equilibrium::find(newton, search, &**eom, trial);
             newton.tangent.end_prediction();
             found = found.repeated(solution?);
-            let Some((eom, matrix)) = eom.with_active_terms(trial) else { break };
-            // A term that is active there was not included.
-            self.replace_equations(eom, matrix)?;
+            if !eom.include_active_terms(newton, trial)? {
+                break;
+            }
         }
         let rotation = check_change(&*self.eom, &found, &self.state, &self.trial)?;
         let lost = matches!((self.unstable, found.unstable), (Some(before), Some(now)) if now > before);
@@ -214,15 +213,7 @@ impl<'a, E: EquationsOfMotion> LoadStepper<'a, E> {
     /// # Errors
     /// If the memory does not suffice.
     pub fn include_near_terms(&mut self) -> Result<(), SolveError> {
-        match self.eom.with_near_terms(&self.state) {
-            Some((eom, matrix)) => self.replace_equations(eom, matrix),
-            None => Ok(()),
-        }
-    }
-
-    fn replace_equations(&mut self, eom: E, matrix: SparseMatrix) -> Result<(), SolveError> {
-        self.eom.replace(eom);
-        self.newton.replace_matrix(matrix)
+        self.eom.include_near_terms(&mut self.newton, &self.state).map(|_| ())
     }
 
     /// Predicts the trial state on the line through the last two equilibria.

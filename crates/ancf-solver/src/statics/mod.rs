@@ -9,6 +9,7 @@ mod load_rates;
 mod load_stepper;
 mod path_point;
 mod regularised;
+mod stability;
 
 pub use arc_length::ArcLength;
 pub use equilibrium::Equilibrium;
@@ -17,3 +18,4 @@ pub use load_rates::LoadRates;
 pub use load_stepper::{LoadIncrements, LoadStepper, Response, UnstablePolicy};
 pub use path_point::{ArcLengthSteps, EndConditions, EndReason, LimitPoint, PathPoint};
 pub use regularised::{load_rate, solve_regularised};
+pub use stability::Stability;

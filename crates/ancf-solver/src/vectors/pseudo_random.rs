@@ -11,6 +11,11 @@ impl PseudoRandom {
         ((mixed ^ (mixed >> 31)) >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
     }
 
+    /// Returns a vector of numbers, which has components along all eigenvectors.
+    pub(crate) fn vector(&mut self, size: usize) -> Vec<f64> {
+        (0..size).map(|_| self.number()).collect()
+    }
+
     /// Returns an index below a number of items.
     pub(crate) fn below(&mut self, count: usize) -> usize {
         let share = 0.5 * (self.number() + 1.0);

@@ -71,8 +71,8 @@ impl IndexedModel<'_> {
         let assembly = assembly.sharing();
         let closed = if self.assemble { Some(self.close(&assembly)?) } else { None };
         let mut assembly = Assembly { closed, ..assembly };
-        let encounters = self.encounters(&assembly.bodies, &assembly.initial());
-        assembly.system = assembly.system.with_searches(encounters);
+        let contact_searches = self.contact_searches(&assembly.bodies, &assembly.initial());
+        assembly.system = assembly.system.with_searches(contact_searches);
         Ok(assembly)
     }
 

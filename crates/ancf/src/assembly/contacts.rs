@@ -113,7 +113,7 @@ impl IndexedModel<'_> {
                 let faces = FaceContacts::new(sources, &surfaces, law, &begin).joined_bodies();
                 [thin, faces].into_iter().for_each(|joined| add(joined, numbers, &shells));
             }
-            add(BeamContacts::new(tubes, law).joined_bodies(), &lines, &lines);
+            add(BeamContacts::new(tubes, law, &begin).joined_bodies(), &lines, &lines);
         }
         found
     }
@@ -138,7 +138,7 @@ impl IndexedModel<'_> {
     }
 
     /// Contact searches of a valid model. Bodies that overlap in the initial state are excluded as joined.
-    pub(crate) fn encounters(
+    pub(crate) fn contact_searches(
         &self,
         built: &[(String, BodyTerms)],
         begin: &State,
@@ -184,7 +184,7 @@ impl IndexedModel<'_> {
             }
         }
         if !lines.is_empty() {
-            searches.push(Arc::new(BeamContacts::new(lines, law).with_joined_pairs(begin)));
+            searches.push(Arc::new(BeamContacts::new(lines, law, begin)));
         }
         searches
     }

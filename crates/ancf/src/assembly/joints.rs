@@ -237,9 +237,9 @@ impl IndexedModel<'_> {
     /// Treatment of the gap of a joint in the analysis.
     pub(crate) fn gap(&self, joint: &Joint) -> Gap {
         let moves = self.analysis.dynamics().is_some();
-        let is_drawn = matches!(joint.ends().1, End::Point(_)) && !(moves && self.assemble);
+        let closes_by_load = matches!(joint.ends().1, End::Point(_)) && !(moves && self.assemble);
         match () {
-            () if is_drawn => Gap::ClosedByLoad,
+            () if closes_by_load => Gap::ClosedByLoad,
             () if self.assemble => Gap::Closed,
             () => Gap::Kept,
         }

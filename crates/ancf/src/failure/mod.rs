@@ -21,6 +21,6 @@ pub(crate) use equilibrium_stability::EquilibriumStability;
 pub(crate) use prebuckling::prebuckling_warning;
 pub(crate) use rotation_monitor::{RotationHistory, RotationMonitor};
 pub(crate) use run_failure::RunFailure;
-pub(crate) use stability::{instability, unloaded, unstable_directions};
+pub(crate) use stability::{instability, unloaded};
 pub(crate) use stability_monitor::StabilityMonitor;
 pub(crate) use unsupported::require_support;

@@ -13,7 +13,8 @@ pub(crate) fn require_support(assembly: &Assembly, s: &State, scales: Scales) ->
     motions.map_or(Ok(()), |motions| Err(RunFailure::Mechanism(motions)))
 }
 
-/// Description of the unsupported motions in a state; `None` if there are none.
+/// Description of the unsupported motions in a state; `None` if there are none, or if the model is too large to determine them in
+/// seconds. The factorisation of the stiffness then decides.
 fn unsupported_motions(assembly: &Assembly, s: &State, scales: Scales) -> Option<String> {
     let motions = assembly.free_motions(s).unwrap_or_default();
     let count = motions.len();

@@ -5,12 +5,14 @@ use ancf_solver::equations::{EquationsOfMotion, State, System};
 use ancf_solver::newton::{
     EquilibriumError, Interrupt, Newton, NewtonReport, SolveError, SolveFailure, StopRule,
 };
-use ancf_solver::statics::{Equilibrium, LoadIncrements, LoadStepper, load_rate, solve_regularised};
+use ancf_solver::statics::{
+    Equilibrium, LoadIncrements, LoadStepper, Stability, load_rate, solve_regularised,
+};
 
 use super::start_state::{StartState, require_alignment};
 use super::static_start::StaticStart;
 use crate::assembly::Assembly;
-use crate::failure::{RunFailure, find_cause, require_support, unstable_directions};
+use crate::failure::{RunFailure, find_cause, require_support};
 use crate::model::{Model, Statics};
 use crate::units::{ScaleChoice, Scales};
 
@@ -73,7 +75,8 @@ impl EquilibriumSearch<'_> {
                 Err(_) => continue,
             };
             require_support(self.assembly, &settled, self.scales)?;
-            let unstable = unstable_directions(self.assembly, &settled);
+            let unstable =
+                Stability::new(&self.assembly.system, &settled).map(|stability| stability.unstable);
             let energy = self.assembly.system.energy(&settled).total();
             // Of positions with the same or an unknown stability, that with less energy is more stable.
             let rank = (unstable.unwrap_or(1), energy);

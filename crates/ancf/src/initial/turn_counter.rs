@@ -18,11 +18,14 @@ impl<'a> TurnCounter<'a> {
         Ok(Self { system, rates: rates.transpose()? })
     }
 
-    /// Counts the turns up to an equilibrium. Rates are those without contacts.
+    /// Counts the turns up to an equilibrium. Rates are those without contacts, or differences where the stiffness without contacts is
+    /// singular.
     pub(crate) fn count(&mut self, rows: &mut Rows, s: &State) {
         if let Some(rates) = &mut self.rates {
-            let s = rates.evaluate(self.system, s);
-            rows.count_turns(s.load, s, AngleRates::Velocities);
+            match rates.evaluate(self.system, s) {
+                Some(moving) => rows.count_turns(s.load, moving, AngleRates::Velocities),
+                None => rows.count_turns(s.load, s, AngleRates::Differences),
+            }
         }
     }
 }

@@ -74,7 +74,7 @@ impl JointKind for Cylindrical {
         builder.angle(axis, &self.angle_actions());
         builder.displacement(axis, &self.displacement_actions());
         if let Some(friction) = self.friction() {
-            builder.rub_sleeve(axis, &friction);
+            builder.add_sleeve_friction(axis, &friction);
         }
     }
 

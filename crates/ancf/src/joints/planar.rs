@@ -54,7 +54,7 @@ impl JointKind for Planar {
         builder.keep(&[("plane", 1), ("normal", 2)], measures);
         builder.expect_aligned(&[normal]);
         if let Some(friction) = self.friction() {
-            builder.rub_plane(normal, &friction);
+            builder.add_plane_friction(normal, &friction);
         }
     }
 

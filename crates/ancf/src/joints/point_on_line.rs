@@ -54,7 +54,7 @@ impl JointKind for PointOnLine {
         builder.keep(&[(measures::GUIDE, 2)], measures);
         builder.displacement(axis, &JointActions::default());
         if let Some(friction) = self.friction() {
-            builder.rub_line(axis, &friction);
+            builder.add_line_friction(axis, &friction);
         }
     }
 

@@ -42,7 +42,7 @@ impl JointKind for Spherical {
     fn build(&self, builder: &mut JointBuilder<'_>) {
         builder.coincide();
         if let Some(friction) = self.friction() {
-            builder.rub_ball(&friction);
+            builder.add_ball_friction(&friction);
         }
     }
 

@@ -61,7 +61,7 @@ impl JointKind for Universal {
         let measures = measures::universal(builder.a(), builder.b(), arms);
         builder.keep(&[(measures::POSITION, 3), ("angle of the arms", 1)], measures);
         if let Some(friction) = self.friction() {
-            builder.rub_cross(arms, &friction);
+            builder.add_cross_friction(arms, &friction);
         }
     }
 

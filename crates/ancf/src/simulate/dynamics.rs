@@ -103,11 +103,11 @@ pub(crate) fn energy_warnings(
         |energy: f64, limit: f64| energy > limit && energy > limit + dynamics.rounding_work(scaled.length());
     let (lost, reference) = (record.lost(), record.reference());
     let created = record.created() + if is_fixed { record.hidden() } else { 0.0 };
-    if record.refused() > 0 && is_fixed {
+    if record.rejected() > 0 && is_fixed {
         warnings.push(format!(
             "{} steps made energy (column `balance`) and were halved: the energy may be wrong by the permitted share \
              `energy_guard.gain`; use smaller steps or a smaller `spectral_radius`",
-            record.refused()
+            record.rejected()
         ));
     }
     if exceeds(created, guard.gain * reference + rounding) {

@@ -9,7 +9,6 @@ use crate::units::Scaled;
 #[serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields)]
 pub enum ScaleChoice {
     /// Units of the model: the dimensional form of the equations.
-    #[default]
     None,
     /// Units of Kim et al. (2017), for one beam under gravity: the length of the beam, the weight of one element and the time by
     /// eq. (7).
@@ -18,6 +17,7 @@ pub enum ScaleChoice {
     ///
     /// The unit of force is the weight, or E I/L² without gravity. The unit of time follows from eq. (7) of Kim et al. (2017).
     /// Units are rounded to powers of two, so that conversion is exact.
+    #[default]
     Auto,
     /// Given units.
     Given {

@@ -21,7 +21,7 @@ const MARGIN: f64 = 0.25;
 /// Contact search between bodies, including self-contact. A pair is a point and an element, a group is two elements.
 ///
 /// Each point of one body is tested against the elements of the other and vice versa, with half the stiffness each, for
-/// symmetry. Pairs that overlap in the reference state by more than 1 % of the radii count as joined and have no
+/// symmetry. Pairs that overlap in the first state by more than 1 % of the radii count as joined and have no
 /// contact. Examples are neighbours on an axis, or beams at a joint.
 #[derive(Debug)]
 pub struct BeamContacts {
@@ -42,8 +42,9 @@ struct ElementShape {
 }
 
 impl BeamContacts {
-    /// Creates the search for all pairs of the given bodies, including each body with itself.
-    pub fn new(tubes: Vec<ContactGeometry>, law: ContactLaw) -> Self {
+    /// Creates the search for all pairs of the given bodies, including each body with itself. Pairs that overlap in the state `begin`
+    /// are joined.
+    pub fn new(tubes: Vec<ContactGeometry>, law: ContactLaw, begin: &State) -> Self {
         let numbered = |count: &dyn Fn(&ContactGeometry) -> usize| -> Vec<(usize, usize)> {
             let of = |(body, tube)| (0..count(tube)).map(move |i| (body, i));
             tubes.iter().enumerate().flat_map(of).collect()
@@ -55,15 +56,13 @@ impl BeamContacts {
         });
         let first = starts.collect();
         let law = ContactLaw { stiffness: 0.5 * law.stiffness, ..law };
-        let contacts = Self { tubes, law, elements, points, first, joined: Vec::new() };
-        let coordinates = contacts.tubes.iter().flat_map(|tube| tube.axes.iter());
-        let end = coordinates.flat_map(ElementAxis::coordinates).max().map_or(0, |last| last + 1);
-        contacts.with_joined_pairs(&State::rest(end, 0))
+        let mut contacts = Self { tubes, law, elements, points, first, joined: Vec::new() };
+        contacts.joined = contacts.overlapping_pairs(begin);
+        contacts
     }
 
-    /// Treats pairs that overlap in another state as joined too.
-    #[must_use]
-    pub fn with_joined_pairs(mut self, s: &State) -> Self {
+    /// Returns the pairs that overlap in a state by more than 1 % of the radii, in ascending order.
+    fn overlapping_pairs(&self, s: &State) -> Vec<ContactPair> {
         let (shapes, mut joined) = (self.shapes(s), Vec::new());
         self.visit_groups(&shapes, |group| {
             let radii = self.radii(group);
@@ -77,8 +76,7 @@ impl BeamContacts {
             });
         });
         joined.sort_unstable();
-        self.joined = joined;
-        self
+        joined
     }
 
     /// Returns the pairs of different bodies with joined points, in ascending order.

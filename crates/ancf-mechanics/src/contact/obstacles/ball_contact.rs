@@ -75,7 +75,7 @@ impl BallContact {
             let moved = |k: usize, factor: D| vector(v, k).map(|rate| rate * factor);
             w += moved(4 + k, share[k]) - moved(1 + k, reach[k]);
         }
-        let force = self.friction.smooth_tangential(D::from(normal), &n, &w);
+        let force = self.friction.tangential(D::from(normal), &n, &w);
         let mut forces = BallValues::from_element(D::from(0.0));
         let mut set = |k: usize, factor: D| {
             forces.fixed_rows_mut::<3>(3 * k).copy_from(&force.map(|f| f * factor));

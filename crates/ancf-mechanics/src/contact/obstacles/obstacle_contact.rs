@@ -112,7 +112,7 @@ impl ObstacleContact {
         let ([d, axes @ ..], [rate, spins @ ..]) = (parts(x), parts(v));
         let (gap, n, b) = self.shape.gap(&d, &combine(&axes, &self.axis));
         let closing = n.dot(&rate) + b.dot(&combine(&spins, &self.axis));
-        (self.law.smooth_normal(gap - self.radius(point), closing) * point.extent, n, b)
+        (self.law.normal(gap - self.radius(point), closing) * point.extent, n, b)
     }
 
     /// Computes the generalised forces on d, x, y and z of a point.
@@ -127,7 +127,7 @@ impl ObstacleContact {
         let reach = components(&axes, &d);
         let relative_velocity: Vector3<D> =
             spins.iter().zip(&reach).map(|(spin, r)| spin.map(|x| x * *r)).fold(rate, |w, part| w - part);
-        let friction = self.law.smooth_tangential(D::from(normal.re()), &n, &relative_velocity);
+        let friction = self.law.tangential(D::from(normal.re()), &n, &relative_velocity);
         let mut forces = MarkerValues::from_element(D::from(0.0));
         forces.fixed_rows_mut::<3>(0).copy_from(&(n.map(|x| x * normal) + friction));
         for k in 0..3 {

@@ -85,10 +85,8 @@ impl ReactionFriction {
         let of = |x: &[f64], places: &[usize]| places.iter().map(|&i| x[i]).collect::<Vec<f64>>();
         let [q, v] = [&s.q, &s.v].map(|x| of(x, &self.coordinates));
         let now = self.sliding(&q, &v, &of(&s.lambda, &self.multipliers));
-        self.global.iter().zip(now.components).fold(Wrench::default(), |sum, (slip, component)| {
-            let part = slip.wrench(s, -now.amount * now.ratio * component);
-            Wrench { force: sum.force + part.force, moment: sum.moment + part.moment }
-        })
+        let parts = self.global.iter().zip(now.components);
+        parts.map(|(slip, component)| slip.wrench(s, -now.amount * now.ratio * component)).sum()
     }
 }
 

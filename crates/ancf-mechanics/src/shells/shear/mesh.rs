@@ -175,7 +175,7 @@ impl ShearShellMesh {
     /// Returns the place of a node in its first element.
     pub fn place_of(&self, node: usize) -> SurfacePlace {
         let element = self.topology.at_node(node)[0];
-        SurfacePlace { element, at: self.faces[element].place_of(node).unwrap_or_default() }
+        SurfacePlace { element, at: self.faces[element].place_of(node).expect("an element at a node has it") }
     }
 
     /// Returns the node at a place, if there is one.

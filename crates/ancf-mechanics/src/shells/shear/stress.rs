@@ -118,7 +118,7 @@ impl ShearShellMesh {
                 let own = self.at_node(node);
                 let share = 1.0 / own.len() as f64;
                 for &element in own {
-                    let at = self.faces()[element].place_of(node).unwrap_or_default();
+                    let at = self.faces()[element].place_of(node).expect("an element at a node has it");
                     add(SurfacePlace { element, at }, share);
                 }
             }

@@ -204,7 +204,8 @@ impl AdaptiveStepper {
         }
         // Velocities along constraints must not move the system by more than the tolerance within a step.
         let tolerance = self.control.tolerance * self.control.length;
-        self.moved = h * self.estimate.velocity_error(dynamics) / tolerance;
+        let velocity_error = self.estimate.velocity_error(dynamics).inspect_err(|_| dynamics.revert())?;
+        self.moved = h * velocity_error / tolerance;
         if self.moved > 1.0 {
             error = error.max(self.moved * share);
         }

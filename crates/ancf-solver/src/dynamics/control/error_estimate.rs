@@ -140,16 +140,23 @@ impl ErrorEstimate {
     /// [S, Φ_qᵀ; Φ_q, 0] (u, ·) = (0, Φ̇).
     ///
     /// The positions of prescribed motions are exact in a step of any size, so the estimated error does not contain it.
-    pub(crate) fn velocity_error<E: EquationsOfMotion>(&mut self, dynamics: &mut TimeStepper<'_, E>) -> f64 {
+    ///
+    /// # Errors
+    /// If the factors of the attempt do not solve.
+    pub(crate) fn velocity_error<E: EquationsOfMotion>(
+        &mut self,
+        dynamics: &mut TimeStepper<'_, E>,
+    ) -> Result<f64, SolveError> {
         let (s, tangent, u) = (&dynamics.motion.state, &mut dynamics.newton.tangent, &mut self.other);
         let n = s.q.len();
         u[..n].fill(0.0);
         dynamics.eom.constraints(s, Level::Velocity, &mut u[n..]);
-        let is_zero = u[n..].iter().all(|rate| *rate == 0.0);
-        if is_zero || tangent.factor.solve_increment(&tangent.matrix, u, &[]).is_err() {
-            return 0.0;
+        if u[n..].iter().all(|rate| *rate == 0.0) {
+            return Ok(0.0);
         }
-        self.norm_of_other(n)
+        let solved = tangent.factor.solve_increment(&tangent.matrix, u, &[]);
+        solved.map_err(|_| SolveError::at(s.t, SolveFailure::Singular))?;
+        Ok(self.norm_of_other(n))
     }
 
     /// Returns the coordinate with the largest contribution to the error of the attempt, measured as energy.

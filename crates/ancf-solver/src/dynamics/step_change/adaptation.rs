@@ -53,7 +53,7 @@ pub(crate) fn adapt<E: EquationsOfMotion>(
     let Newton { tangent, r, z, .. } = newton;
     let (matrix, _) = tangent.lend();
     eom.tangent(s, Weights::MASS, matrix);
-    let wanted = recent.map(|(longer, ratio)| longer.constraint_velocities(matrix, ratio, z, r));
+    let target_velocities = recent.map(|(longer, ratio)| longer.constraint_velocities(matrix, ratio, z, r));
     let mut force = Vec::new();
     if is_filtered {
         acceleration.start(longer.map(|(longer, _)| &longer.acceleration), ratio, z);
@@ -83,7 +83,7 @@ pub(crate) fn adapt<E: EquationsOfMotion>(
     }
     if is_constrained {
         let kept = own * own;
-        let target = |i: usize, u: f64| wanted.as_ref().map_or(kept * u, |wanted| wanted[i]);
+        let target = |i: usize, u: f64| target_velocities.as_ref().map_or(kept * u, |target_velocities| target_velocities[i]);
         change_drift(eom, (matrix, factor), s, target, z)?;
         if let Some(reference) = reference.as_deref_mut().filter(|_| is_first) {
             reference.set_drift(z.iter().map(|change| change / (kept - 1.0)));

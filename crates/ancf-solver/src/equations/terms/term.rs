@@ -8,8 +8,8 @@ use super::state::{Inadmissibility, Weights};
 
 /// Local contribution to the equations of motion, such as an element, the equations of a joint or a load.
 ///
-/// A term is immutable. Its contribution depends only on its own coordinates and multipliers. The test `tests/laws.rs`
-/// checks the consistency of every term: tangent = ∂residual, residual = ∂energy.
+/// A term is immutable. Its contribution depends only on its own coordinates and multipliers. The tests of the
+/// library `ancf` check the laws of every term: tangent = ∂residual, residual = ∂energy.
 ///
 /// Complete example of a spring between coordinate 3 and the ground:
 ///

@@ -34,7 +34,7 @@ impl JointBuilder<'_> {
             self.add(HingeAngle::new(own, p, [u, v], multiplier));
             self.act(own, actions);
             let normals = normals_to(axis).map(|normal| self.b().direction(normal));
-            self.rub_along(own, actions, |friction| Bearing::Pin {
+            self.add_along_friction(own, actions, |friction| Bearing::Pin {
                 normals: Box::new(normals),
                 radius: friction.radius.unwrap_or(0.0),
                 span: friction.span,
@@ -70,7 +70,7 @@ impl JointBuilder<'_> {
             let tie = MeasureConstraint::defining(own, measure.clone(), multiplier);
             self.add(tie.named("definition of the displacement"));
             self.act(own, actions);
-            self.rub_along(own, actions, |friction| Bearing::Guide {
+            self.add_along_friction(own, actions, |friction| Bearing::Guide {
                 span: friction.span,
                 arm: friction.arm,
             });
@@ -92,7 +92,7 @@ impl JointBuilder<'_> {
             self.equations.parts.push(Part { reacts: k == 0, ..Part::new(Box::new(slide)) });
         }
         self.act(own, actions);
-        self.rub_along(own, actions, |_| Bearing::Curve);
+        self.add_along_friction(own, actions, |_| Bearing::Curve);
         self.equations
             .recorded
             .push(RecordedCoordinate { source: Source::Position(start), coordinate: Some(own) });
@@ -157,7 +157,7 @@ impl JointBuilder<'_> {
     }
 
     /// Adds friction in proportion to the reaction, if it has a coefficient. The first equations of the joint are those of the bearing.
-    fn rub_along(
+    fn add_along_friction(
         &mut self,
         coordinate: usize,
         actions: &JointActions<'_>,
@@ -167,7 +167,7 @@ impl JointBuilder<'_> {
             let slip = vec![Slip::Rate(BilinearMeasure::coordinate(coordinate))];
             // The friction without a reaction is a term of its own.
             let by_reaction = JointFriction { amount: 0.0, ..friction };
-            self.rub(slip, bearing(&friction), &by_reaction);
+            self.add_friction(slip, bearing(&friction), &by_reaction);
         }
     }
 

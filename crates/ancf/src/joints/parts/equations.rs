@@ -251,10 +251,7 @@ impl JointEquations {
     pub(crate) fn reaction(&self, s: &State) -> Wrench {
         let position = self.position.iter().map(|position| position.reaction(s));
         let parts = self.parts.iter().filter(|part| part.reacts).map(|part| part.reaction(s));
-        position.chain(parts).fold(Wrench::default(), |sum, part| Wrench {
-            force: sum.force + part.force,
-            moment: sum.moment + part.moment,
-        })
+        position.chain(parts).sum()
     }
 
     /// Names of the constraint equations; equal names are numbered.

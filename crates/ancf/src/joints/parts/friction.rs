@@ -191,7 +191,7 @@ const AXES: [Vector3<f64>; 3] =
 
 impl JointBuilder<'_> {
     /// Adds friction along components of slip. The first equations of the joint are those of the bearing.
-    pub(super) fn rub(&mut self, slip: Vec<Slip>, bearing: Bearing, friction: &JointFriction) {
+    pub(super) fn add_friction(&mut self, slip: Vec<Slip>, bearing: Bearing, friction: &JointFriction) {
         let first = self.equations.multipliers.start;
         self.add(ReactionFriction::new(slip, first, bearing, friction.law()));
     }
@@ -203,14 +203,14 @@ impl JointBuilder<'_> {
     }
 
     /// Adds friction of a ball.
-    pub(crate) fn rub_ball(&mut self, friction: &JointFriction) {
+    pub(crate) fn add_ball_friction(&mut self, friction: &JointFriction) {
         let turn = |axis| self.turn(TurnAxis::Direction(BodyVector::fixed(axis)), 1.0);
         let slip = AXES.map(turn).into();
-        self.rub(slip, Bearing::Ball { radius: friction.radius.unwrap_or(0.0) }, friction);
+        self.add_friction(slip, Bearing::Ball { radius: friction.radius.unwrap_or(0.0) }, friction);
     }
 
     /// Adds friction of the arms of a cross.
-    pub(crate) fn rub_cross(&mut self, [a, b]: [Vector3<f64>; 2], friction: &JointFriction) {
+    pub(crate) fn add_cross_friction(&mut self, [a, b]: [Vector3<f64>; 2], friction: &JointFriction) {
         let arms = [self.a().direction(a), self.b().direction(b)];
         let [a, b] = &arms;
         for (own, other) in [(a, b), (b, a)] {
@@ -218,28 +218,28 @@ impl JointBuilder<'_> {
             let radius = friction.radius.unwrap_or(0.0);
             let bearing = Bearing::Arm { arms: arms.clone(), radius, span: friction.span };
             let slip = self.turn(TurnAxis::ArmOfCross(arms), 1.0);
-            self.rub(vec![slip], bearing, friction);
+            self.add_friction(vec![slip], bearing, friction);
         }
     }
 
     /// Adds friction of a shaft that turns and slides in a sleeve.
-    pub(crate) fn rub_sleeve(&mut self, axis: Vector3<f64>, friction: &JointFriction) {
+    pub(crate) fn add_sleeve_friction(&mut self, axis: Vector3<f64>, friction: &JointFriction) {
         let along = Slip::Rate(measures::along(self.a(), self.b(), axis));
         let direction = TurnAxis::Direction(self.b().direction(axis));
         let about = self.turn(direction, friction.radius.unwrap_or(0.0));
-        self.rub(vec![along, about], Bearing::Sleeve { span: friction.span }, friction);
+        self.add_friction(vec![along, about], Bearing::Sleeve { span: friction.span }, friction);
     }
 
     /// Adds friction of a point on a line.
-    pub(crate) fn rub_line(&mut self, axis: Vector3<f64>, friction: &JointFriction) {
+    pub(crate) fn add_line_friction(&mut self, axis: Vector3<f64>, friction: &JointFriction) {
         let slip = Slip::Rate(measures::along(self.a(), self.b(), axis));
-        self.rub(vec![slip], Bearing::Line, friction);
+        self.add_friction(vec![slip], Bearing::Line, friction);
     }
 
     /// Adds friction of a point on a plane.
-    pub(crate) fn rub_plane(&mut self, normal: Vector3<f64>, friction: &JointFriction) {
+    pub(crate) fn add_plane_friction(&mut self, normal: Vector3<f64>, friction: &JointFriction) {
         let along = |axis| Slip::Rate(measures::along(self.a(), self.b(), axis));
         let slip = normals_to(normal).map(along).into();
-        self.rub(slip, Bearing::Plane, friction);
+        self.add_friction(slip, Bearing::Plane, friction);
     }
 }

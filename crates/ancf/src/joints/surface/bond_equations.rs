@@ -25,7 +25,7 @@ const NO_ARM: f64 = 1e-9;
 pub(super) fn add_equations(builder: &mut JointBuilder<'_>) {
     let Some([beam, shell]) = builder.bodies() else { return };
     let Some(mesh) = beam.terms.mesh() else { return };
-    let feet = feet(beam.data, shell.data).unwrap_or_default();
+    let feet = feet(beam.data, shell.data).expect("checked bonds have points below the beam");
     for (k, foot) in feet.iter().enumerate() {
         let own = mesh.attachment(foot.s);
         let below = shell.terms.attachment(0.0, foot.place.parameters());

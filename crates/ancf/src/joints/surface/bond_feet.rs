@@ -33,6 +33,7 @@ pub(super) struct Foot {
 }
 
 /// Reason why a beam cannot be bonded to a shell.
+#[derive(Debug)]
 pub(super) struct Unfit {
     pub(super) found: String,
     pub(super) expected: String,
@@ -48,7 +49,7 @@ pub(super) fn feet(beam: &Body, shell: &Body) -> Result<Vec<Foot>, Unfit> {
     let count = beam.elements();
     let point = |element: u32, xi: f64| {
         let s = beam.length() * (f64::from(element) + xi) / f64::from(count);
-        (s, beam.point(&At::Length(s)).unwrap_or_default())
+        (s, beam.point(&At::Length(s)).expect("the length is on the beam"))
     };
     let mut points: Vec<(f64, Vector3<f64>)> = Vec::new();
     for element in 0..count {
@@ -182,7 +183,8 @@ fn feet_at_nodes(points: &[(f64, Vector3<f64>)], shell: &ShearShell) -> Result<V
     let mut feet = Vec::new();
     for (node, (s, point)) in points.iter().enumerate() {
         let distance = |k: &usize| (nodes[*k] - point).norm_squared();
-        let nearest = (0..nodes.len()).min_by(|a, b| distance(a).total_cmp(&distance(b))).unwrap_or_default();
+        let nearest =
+            (0..nodes.len()).min_by(|a, b| distance(a).total_cmp(&distance(b))).expect("a mesh has nodes");
         let beside = {
             let arm = point - nodes[nearest];
             (arm - directors[nearest] * arm.dot(&directors[nearest])).norm()

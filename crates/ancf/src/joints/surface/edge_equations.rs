@@ -42,7 +42,7 @@ pub(super) fn add_equations(
         builder.add_linear(vectors.collect(), Vec::new(), name);
     };
     let At::Edge(place) = at else {
-        let node = mesh.node_at(at.on_surface().unwrap_or_default());
+        let node = mesh.node_at(at.on_surface().expect("checked places are edges or points of the shell"));
         axes.iter().for_each(|&axis| add(&[(node, POSITION, axis)], "position"));
         return;
     };

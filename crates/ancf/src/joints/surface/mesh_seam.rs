@@ -32,7 +32,7 @@ fn pairs([(a, edge), (b, other)]: [(&ShearShell, &EdgeName); 2]) -> Result<Vec<[
     let pair = |node: usize| {
         let distance = |&k: &usize| (points[k] - own[node]).norm();
         let nearest = second.iter().copied().min_by(|i, j| distance(i).total_cmp(&distance(j)));
-        let nearest = nearest.unwrap_or_default();
+        let nearest = nearest.expect("an edge has nodes");
         let apart = distance(&nearest) / size;
         if apart <= APART {
             return Ok([node, nearest]);
@@ -84,7 +84,7 @@ pub(super) fn add_equations(builder: &mut JointBuilder<'_>, edges: [&EdgeName; 2
     let (Some((mesh, a)), Some((other, b))) = (builder.shear_shell(), builder.other_shear_shell()) else {
         return;
     };
-    for [own, second] in pairs([(a, edges[0]), (b, edges[1])]).unwrap_or_default() {
+    for [own, second] in pairs([(a, edges[0]), (b, edges[1])]).expect("checked seams have common nodes") {
         equate(builder, [(mesh, own), (other, second)], POSITION, "position");
         if condition == SeamCondition::Hinged {
             continue;

@@ -53,8 +53,8 @@ fn search_finds_all_active_pairs() {
         .filter_map(|(_, body)| Some(ContactGeometry::tube(body.mesh()?, 0.01, 7)))
         .collect();
     let elements: usize = assembly.bodies().filter_map(|(_, body)| Some(body.mesh()?.count())).sum();
-    let contacts = BeamContacts::new(skins, law);
     let (rest, mut random, mut acting) = (assembly.rest(), Random(7), 0);
+    let contacts = BeamContacts::new(skins, law, &rest);
     for _ in 0..20 {
         let s = random_state(&assembly, &mut random);
         let near = contacts.near(&s);

@@ -94,7 +94,9 @@ fn files(schema: &str) -> Result<BTreeMap<String, String>, String> {
 ///
 /// # Errors
 /// If a name is defined twice.
-fn modules_of_names<'a>(modules: &BTreeMap<&'a str, Vec<Block>>) -> Result<BTreeMap<String, &'a str>, String> {
+fn modules_of_names<'a>(
+    modules: &BTreeMap<&'a str, Vec<Block>>,
+) -> Result<BTreeMap<String, &'a str>, String> {
     let mut modules_of_names = BTreeMap::new();
     for (module, block) in
         modules.iter().flat_map(|(module, blocks)| blocks.iter().map(|block| (*module, block)))
@@ -135,7 +137,12 @@ fn needed(part: &Json, needs: &mut Vec<String>) {
     }
 }
 
-fn module_text(module: &str, summary: &str, blocks: &[Block], modules_of_names: &BTreeMap<String, &str>) -> String {
+fn module_text(
+    module: &str,
+    summary: &str,
+    blocks: &[Block],
+    modules_of_names: &BTreeMap<String, &str>,
+) -> String {
     let uses: BTreeSet<&str> = blocks.iter().flat_map(|block| &block.uses).map(String::as_str).collect();
     let own: Vec<&str> = blocks.iter().map(|block| block.name.as_str()).collect();
     let mut imports: BTreeMap<String, Vec<&str>> = BTreeMap::new();
@@ -147,7 +154,8 @@ fn module_text(module: &str, summary: &str, blocks: &[Block], modules_of_names: 
         };
         imports.entry(module_name).or_default().push(name);
     }
-    let (inner, outer): (Vec<_>, Vec<_>) = imports.iter().partition(|(module_name, _)| module_name.starts_with("ancf"));
+    let (inner, outer): (Vec<_>, Vec<_>) =
+        imports.iter().partition(|(module_name, _)| module_name.starts_with("ancf"));
     let lines = |imports: Vec<(&String, &Vec<&str>)>| {
         imports.into_iter().map(|(module_name, names)| import(module_name, names)).collect::<String>()
     };
@@ -194,7 +202,9 @@ fn spaced(blocks: &[Block]) -> String {
 
 fn package_text(modules_of_names: &BTreeMap<String, &str>) -> String {
     let mut modules: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
-    modules_of_names.iter().for_each(|(name, module_name)| modules.entry(*module_name).or_default().push(name));
+    modules_of_names
+        .iter()
+        .for_each(|(name, module_name)| modules.entry(*module_name).or_default().push(name));
     let imports: String = modules
         .iter_mut()
         .map(|(module_name, names)| {

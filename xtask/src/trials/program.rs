@@ -62,7 +62,11 @@ impl Program {
         if self.emulator.is_some() {
             command.arg(file);
         }
-        command.env_clear().env("HOME", &self.module_name).env("LC_ALL", "C.UTF-8").env("PATH", "/usr/bin:/bin");
+        command
+            .env_clear()
+            .env("HOME", &self.module_name)
+            .env("LC_ALL", "C.UTF-8")
+            .env("PATH", "/usr/bin:/bin");
         command.envs(self.variables.iter().map(|(name, value)| (name, value)));
         command
     }

@@ -38,7 +38,8 @@ pub(crate) fn program(file: &Path, folder: &Path) -> Result<Program, String> {
         module_name: folder.join("module_name"),
         pace: 1.0,
     };
-    std::fs::create_dir_all(&program.module_name).map_err(|error| format!("{}: {error}", program.module_name.display()))?;
+    std::fs::create_dir_all(&program.module_name)
+        .map_err(|error| format!("{}: {error}", program.module_name.display()))?;
     let starts = || {
         program
             .command(folder, &["--version"])

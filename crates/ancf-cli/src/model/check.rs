@@ -15,7 +15,8 @@ use super::display::surfaces_of;
 use super::sequence::check_stages;
 use super::start::start_of;
 use crate::terminal::{
-    Ended, JsonErrors, print, print_error, print_json, print_model_errors, print_status, report_argument_error,
+    Ended, JsonErrors, print, print_error, print_json, print_model_errors, print_status,
+    report_argument_error,
 };
 
 /// Arguments of `ancf check`.

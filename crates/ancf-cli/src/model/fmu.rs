@@ -9,7 +9,7 @@ use ancf_fmu::{ExportError, Exported, Fmi, Options, export, library_name};
 use anyhow::{Context, Result};
 use clap::{Args, ValueEnum};
 
-use crate::terminal::{Ended, print_error, print_status, report_model_errors, report_argument_error};
+use crate::terminal::{Ended, print_error, print_status, report_argument_error, report_model_errors};
 
 /// Arguments of `ancf fmu`.
 #[derive(Debug, Args)]
@@ -85,7 +85,9 @@ impl FmuArguments {
                 print_status(&format!("done: {}: {}", file.display(), summary(&exported)));
                 Ok(Ended::Done)
             }
-            Err(ExportError::Model(errors)) => Ok(report_model_errors(&with_places(errors, &text), &self.file)),
+            Err(ExportError::Model(errors)) => {
+                Ok(report_model_errors(&with_places(errors, &text), &self.file))
+            }
             Err(ExportError::Write(error)) => {
                 Err(error).with_context(|| format!("cannot write {}", file.display()))
             }

@@ -16,7 +16,8 @@ use super::panel::PlotPanel;
 use super::selection::ColumnSelection;
 use super::source::PlotSource;
 use crate::terminal::{
-    Ended, is_stdout_coloured, is_unicode, print, print_json, print_output, print_status, report_argument_error,
+    Ended, is_stdout_coloured, is_unicode, print, print_json, print_output, print_status,
+    report_argument_error,
 };
 
 /// Arguments of `ancf plot`.

@@ -9,7 +9,7 @@ use ancf_results::{OpenError, Results};
 use ancf_surface::BodySurfaces;
 use anyhow::Result;
 
-use crate::terminal::{Ended, print_status, report_model_errors, report_argument_error};
+use crate::terminal::{Ended, print_status, report_argument_error, report_model_errors};
 
 /// Opens a results folder and verifies its files. Reports a folder without a run.
 ///

@@ -8,7 +8,7 @@ use anyhow::Result;
 
 use super::recording::{Command, Recorded, record, run_from};
 use crate::model::start_of;
-use crate::terminal::{print_status, report_model_errors, report_argument_error};
+use crate::terminal::{print_status, report_argument_error, report_model_errors};
 
 /// Resumes a run from its last checkpoint, or from the beginning if there is none.
 pub fn resume(

@@ -15,7 +15,9 @@ use anyhow::Result;
 use serde::Serialize;
 
 use super::run_summary::RunSummary;
-use crate::terminal::{Ended, RunProgress, print, print_error, print_json, print_status, report_argument_error};
+use crate::terminal::{
+    Ended, RunProgress, print, print_error, print_json, print_status, report_argument_error,
+};
 
 /// Parses the interval of checkpoints: `1000` steps, or `10min`.
 pub fn checkpoint_interval(text: &str) -> Result<CheckpointInterval, String> {

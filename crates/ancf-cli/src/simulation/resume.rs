@@ -14,7 +14,9 @@ use super::continuation::resume;
 use super::recording::{Command, RunJson, checkpoint_interval};
 use super::sequence::SequenceRun;
 use crate::results::open_run;
-use crate::terminal::{Ended, interrupt, print_json, print_status, report_model_errors, report_argument_error};
+use crate::terminal::{
+    Ended, interrupt, print_json, print_status, report_argument_error, report_model_errors,
+};
 
 /// Arguments of `ancf resume`.
 #[derive(Debug, Args)]
@@ -64,7 +66,9 @@ impl ResumeArguments {
         let sequence = Model::read_text(file).and_then(|text| AnalysisSequence::parse(&text));
         let sequence = match sequence {
             Ok(Some(sequence)) => sequence,
-            Ok(None) => return Ok(report_argument_error(&format!("{} has no list of analyses", file.display()))),
+            Ok(None) => {
+                return Ok(report_argument_error(&format!("{} has no list of analyses", file.display())));
+            }
             Err(errors) => return Ok(report_model_errors(&errors, file)),
         };
         let (folder, checkpoint) = (self.folder.as_path(), self.checkpoint);

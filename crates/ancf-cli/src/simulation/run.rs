@@ -16,7 +16,9 @@ use super::requested_error::requested_error;
 use super::sequence::SequenceRun;
 use crate::model::{check_stages, start_of, surfaces_of};
 use crate::results::{REPORT, write_report};
-use crate::terminal::{Ended, interrupt, print_error, print_status, report_model_errors, report_argument_error};
+use crate::terminal::{
+    Ended, interrupt, print_error, print_status, report_argument_error, report_model_errors,
+};
 
 /// Arguments of `ancf run`.
 #[derive(Debug, Args)]

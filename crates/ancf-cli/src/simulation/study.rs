@@ -8,7 +8,9 @@ use anyhow::Result;
 use clap::Args;
 
 use super::study_summary;
-use crate::terminal::{Ended, case_bar, interrupt, print, print_error, print_json, print_status, report_model_errors};
+use crate::terminal::{
+    Ended, case_bar, interrupt, print, print_error, print_json, print_status, report_model_errors,
+};
 
 /// Arguments of `ancf study`.
 #[derive(Debug, Args)]

@@ -17,7 +17,7 @@ pub use locale::is_unicode;
 pub use numbers::count;
 #[cfg(not(feature = "figures"))]
 pub use outcome::reject_figures;
-pub use outcome::{Ended, print_model_errors, report_model_errors, report_argument_error};
+pub use outcome::{Ended, print_model_errors, report_argument_error, report_model_errors};
 pub use output_mode::{
     OutputMode, print, print_error, print_json, print_output, print_status, set_output_mode,
 };

@@ -8,7 +8,7 @@ mod function_value;
 mod grammar;
 mod input_signal;
 mod interval;
-mod step_resolution;
+mod resolution;
 mod syntax_node;
 mod time_table;
 mod variation;

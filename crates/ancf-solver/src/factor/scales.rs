@@ -73,18 +73,21 @@ pub(super) fn match_scales(
         return false;
     }
     // The multipliers get their scales at the end.
+    k.pattern().border().iter().for_each(|border| d[border.multiplier as usize] = 0.0);
+    let softest = d.iter().copied().fold(0.0, f64::max);
     k.pattern().border().iter().for_each(|border| d[border.multiplier as usize] = 1.0);
     while open {
         bound_scales(k, d, [&mut *largest, &mut *bound]);
         open = false;
         for at in constrained() {
             if d[at] == 0.0 && bound[at].is_finite() {
-                (d[at], open) = (bound[at], true);
+                (d[at], open) = (bound[at].min(softest), true);
             }
         }
     }
     // Coordinates without any stiffness in their chain of constraints.
-    d.iter_mut().filter(|d| **d == 0.0).for_each(|d| *d = 1.0);
+    let softest = if softest > 0.0 { softest } else { 1.0 };
+    d.iter_mut().filter(|d| **d == 0.0).for_each(|d| *d = softest);
     scale_multipliers(k, d, largest);
     false
 }
@@ -102,9 +105,10 @@ fn has_rigid_bodies_only(k: &SparseMatrix) -> bool {
 const NEGLIGIBLE: f64 = 1e-9;
 
 /// Computes bounds of the scales that are zero: they match the largest scaled entry of a constraint. Infinite without one.
+///
+/// Entries that may be rounding errors neither have a bound nor give one.
 fn bound_scales(k: &SparseMatrix, d: &[f64], [largest, bound]: [&mut [f64]; 2]) {
     bound.fill(f64::INFINITY);
-    largest_entries(k, d, largest);
     let border = k.pattern().border();
     // The bounds of multipliers are the largest entries of their rows.
     border.iter().for_each(|border| bound[border.multiplier as usize] = 0.0);
@@ -112,11 +116,22 @@ fn bound_scales(k: &SparseMatrix, d: &[f64], [largest, bound]: [&mut [f64]; 2]) 
         let row = &mut bound[multiplier as usize];
         *row = row.max(k.values()[slot].abs());
     }
-    for &Border { coordinate, multiplier, slot } in border {
-        let (coordinate, entry, others) =
-            (coordinate as usize, k.values()[slot].abs(), largest[multiplier as usize]);
-        if d[coordinate] == 0.0 && entry > NEGLIGIBLE * bound[multiplier as usize] && others > 0.0 {
-            bound[coordinate] = bound[coordinate].min(others / entry);
+    let significant = |bound: &[f64], &Border { coordinate, multiplier, slot }: &Border| {
+        let entry = k.values()[slot].abs();
+        (entry > NEGLIGIBLE * bound[multiplier as usize]).then_some((
+            coordinate as usize,
+            multiplier as usize,
+            entry,
+        ))
+    };
+    largest.fill(0.0);
+    for (coordinate, multiplier, entry) in border.iter().filter_map(|border| significant(bound, border)) {
+        largest[multiplier] = largest[multiplier].max(entry * d[coordinate]);
+    }
+    for border in border {
+        let Some((coordinate, multiplier, entry)) = significant(bound, border) else { continue };
+        if d[coordinate] == 0.0 && largest[multiplier] > 0.0 {
+            bound[coordinate] = bound[coordinate].min(largest[multiplier] / entry);
         }
     }
 }

@@ -83,7 +83,9 @@ pub(crate) fn adapt<E: EquationsOfMotion>(
     }
     if is_constrained {
         let kept = own * own;
-        let target = |i: usize, u: f64| target_velocities.as_ref().map_or(kept * u, |target_velocities| target_velocities[i]);
+        let target = |i: usize, u: f64| {
+            target_velocities.as_ref().map_or(kept * u, |target_velocities| target_velocities[i])
+        };
         change_drift(eom, (matrix, factor), s, target, z)?;
         if let Some(reference) = reference.as_deref_mut().filter(|_| is_first) {
             reference.set_drift(z.iter().map(|change| change / (kept - 1.0)));

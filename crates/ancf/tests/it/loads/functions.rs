@@ -7,6 +7,7 @@ use std::sync::{Arc, Mutex};
 use ancf::mechanics::functions::{Expression, ExternalFunction, Function, FunctionValue, TimeTable};
 use ancf::model::{At, Load, Place, PointForce, TimeFunction, Varying};
 use ancf::schema::schema;
+use ancf::units::ScaleChoice;
 use ancf::{Model, Scales};
 use proptest::prelude::*;
 use serde_json::Value as Json;
@@ -255,6 +256,7 @@ analysis = {{ kind = "dynamics", duration = 1, step = 1 }}
 "#
     );
     let mut model: Model = toml::from_str(&text).unwrap();
+    model.scales = ScaleChoice::None;
     let missing = |model: &Model| format!("{model:?}").matches("supplied: None").count();
     let schema = schema().to_value();
     let mut places = BTreeSet::new();

@@ -187,3 +187,35 @@ fn arcs_between_kinks_are_unresolved() {
     // A pulse between jumps is resolved, since steps end there.
     assert_eq!(formula("(t >= 0.3)*(t < 0.302)").unresolved_variation([0.0, 1.0], 0.1), None);
 }
+
+/// A pulse narrower than a step has the effect of a whole step if its peak is at the end of a step.
+#[test]
+fn pulses_at_ends_of_steps_are_unresolved() {
+    let found = |text: &str| formula(text).unresolved_variation([0.0, 1.0], 0.01);
+    for (text, at, width) in [
+        ("exp(-((t - 0.5)/1e-3)^2)", 0.5, 1.665e-3),
+        ("-exp(-((t - 0.5)/1e-4)^2)", 0.5, 1.665e-4),
+        ("exp(-((t - 0.5)/3e-3)^2)", 0.5, 5.0e-3),
+        ("exp(-((t - 0.5003)/1e-3)^2)", 0.5, 2.0e-3),
+        ("3 - 2/(1 + ((t - 0.5)/1e-3)^2)", 0.5, 2e-3),
+        ("if(t < 0.503, 0, exp(-(t - 0.503)/1e-4))", 0.503, 0.7e-4),
+        ("if(t < 0.5, exp((t - 0.5)/1e-3), 0)", 0.5, 0.7e-3),
+        ("exp(-t/1e-4)", 0.0, 0.7e-4),
+    ] {
+        let variation = found(text).unwrap_or_else(|| panic!("{text}"));
+        assert!((variation.at - at).abs() < 1e-12, "{text}: {variation:?}");
+        let ratio = variation.width / width;
+        assert!(ratio > 0.5 && ratio < 2.0, "{text}: {variation:?}");
+    }
+    for text in [
+        "exp(-((t - 0.5)/1e-2)^2)",
+        "tanh((t - 0.503)/1e-4)",
+        "tanh((t - 0.5)/1e-4)",
+        "if(t < 0.503, 0, exp(-(t - 0.503)/2e-2))",
+        "exp(-t/2e-2)",
+        "max(0, 1 - abs(t - 0.5)/0.01)",
+        "abs(sin(20*pi*t))",
+    ] {
+        assert_eq!(found(text), None, "{text}");
+    }
+}

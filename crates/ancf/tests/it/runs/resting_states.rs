@@ -73,7 +73,11 @@ fn held_bodies_rest_without_warnings() {
             assert!(summary.outcome.is_finished(), "{case}, {joints}: {:?}", summary.outcome);
             let of_energy = summary.warnings.iter().find(|text| text.contains("energy"));
             assert!(of_energy.is_none(), "{case}, {joints}: {of_energy:?}");
-            assert!(summary.iterations <= 2500, "{case}, {joints}: {} iterations", summary.iterations);
+            assert!(
+                summary.iterations <= 2500,
+                "{case}, {joints}, {center:?}: {} iterations",
+                summary.iterations
+            );
         }
     }
 }

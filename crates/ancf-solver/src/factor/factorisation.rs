@@ -3,6 +3,7 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
+use super::conjugate_residuals::ConjugateResiduals;
 use super::multifrontal::Ldlt;
 use super::scaled_lu::ScaledLu;
 use super::scales::{equilibrate, match_scales};
@@ -22,25 +23,24 @@ use crate::vectors::{copy, for_each_chunk, largest_of_chunks};
 /// With redundant constraints, K is singular and multipliers are *shared*
 /// ([`System::with_shared_multipliers`](crate::equations::System::with_shared_multipliers)). The factorised matrix K_ε = K − εE then has a compliance
 /// −ε/D² on their diagonal. Among all multipliers that satisfy the equations it selects those with minimal λᵀEλ, since
-/// Φ_q Δq − εE λ = −Φ places Eλ in the range of Φ_q. Steps K_ε Δx = b − K x remove the other effects of ε. Each step
-/// reduces them by a factor of about ε.
+/// Φ_q Δq − εE λ = −Φ places Eλ in the range of Φ_q. [`ConjugateResiduals`] with K_ε remove the other effects of ε.
 ///
 /// Source: Rigal & Gaches (1967) for the error; Bertsekas (1982), the method of multipliers.
 pub struct Factor {
-    ldlt: Ldlt,
-    pattern: Arc<Pattern>,
-    lu: Option<ScaledLu>,
+    pub(super) ldlt: Ldlt,
+    pub(super) pattern: Arc<Pattern>,
+    pub(super) lu: Option<ScaledLu>,
     /// Storage for shared multipliers, if there are any.
-    shared: Option<Box<SharedMultipliers>>,
+    pub(super) shared: Option<Box<SharedMultipliers>>,
     /// True if the factors have solved equations without refinement.
     verified: bool,
     /// Rounding error ε max |Kᵢᵢ| of the diagonal.
     rounding: f64,
     /// Equilibration D, right-hand side, solution and residual, by position.
-    d: Vec<f64>,
-    b: Vec<f64>,
-    x: Vec<f64>,
-    r: Vec<f64>,
+    pub(super) d: Vec<f64>,
+    pub(super) b: Vec<f64>,
+    pub(super) x: Vec<f64>,
+    pub(super) r: Vec<f64>,
 }
 
 /// History of a factorisation, from which it can be repeated.
@@ -58,14 +58,16 @@ impl FactorHistory {
 }
 
 /// Additional storage for shared multipliers.
-struct SharedMultipliers {
+pub(super) struct SharedMultipliers {
     /// Compliant matrix K_ε.
     compliant: SparseMatrix,
-    /// Right-hand side and solution of K, by position.
+    /// Right-hand side, solution and residual of K, by position.
     b: Vec<f64>,
     x: Vec<f64>,
+    r: Vec<f64>,
+    steps: ConjugateResiduals,
     /// True in statics of rigid bodies, where no energy measures the gaps of constraints.
-    is_rigid: bool,
+    pub(super) is_rigid: bool,
 }
 
 impl fmt::Debug for Factor {
@@ -88,9 +90,10 @@ const ACCEPT: f64 = 1e-9;
 /// Relative change in a further step of refinement above which a result is a rounding error.
 pub(crate) const DETERMINED: f64 = 1e-3;
 /// Compliance ε, far above rounding and small enough for fast convergence.
-const COMPLIANCE: f64 = 1e-6;
-/// Number of steps from K_ε to K.
-const STEPS: u32 = 3;
+pub(super) const COMPLIANCE: f64 = 1e-6;
+/// Largest number of steps from K_ε to K, and the reduction of the residual by a step without which they end.
+const STEPS: u32 = 60;
+const REDUCTION: f64 = 0.99;
 /// Residual below which subnormal numbers, which have fewer digits, cause any backward error.
 const UNDERFLOW: f64 = f64::MIN_POSITIVE / f64::EPSILON;
 /// Backward error of K above which redundant constraints are contradictory.
@@ -109,7 +112,15 @@ impl Factor {
             lu: None,
             shared: (!pattern.shared().is_empty()).then(|| {
                 let compliant = SparseMatrix::zero(Arc::clone(pattern));
-                Box::new(SharedMultipliers { compliant, b: zeros.clone(), x: zeros.clone(), is_rigid: false })
+                let [b, x, r] = std::array::from_fn(|_| zeros.clone());
+                Box::new(SharedMultipliers {
+                    compliant,
+                    b,
+                    x,
+                    r,
+                    steps: ConjugateResiduals::default(),
+                    is_rigid: false,
+                })
             }),
             verified: false,
             rounding: 0.0,
@@ -208,32 +219,6 @@ impl Factor {
         self.solve_from(k, x, Some(lambda)).map(|_| ())
     }
 
-    /// Raises bounds of the gaps in statics of rigid bodies to the rounding error of the compliance of shared multipliers λ:
-    /// ε c max |λ_k|/D_k / D_i with the compliance c/D² on the diagonal. Increments close gaps up to this error.
-    pub(crate) fn raise_to_compliance(&self, lambda: &[f64], bounds: &mut [f64]) {
-        if !self.shared.as_ref().is_some_and(|shared| shared.is_rigid) {
-            return;
-        }
-        let coordinates = self.b.len() - lambda.len();
-        let size = |at: usize| lambda[self.pattern.unknown(at) - coordinates].abs() / self.d[at];
-        let largest = self.pattern.shared().iter().map(|&at| size(at)).fold(0.0, f64::max);
-        for (i, bound) in bounds.iter_mut().enumerate() {
-            let d = self.d[self.pattern.position(coordinates + i)];
-            *bound = bound.max(f64::EPSILON * COMPLIANCE * largest / d);
-        }
-    }
-
-    /// Returns xᵀ K x.
-    pub(crate) fn energy(&mut self, k: &SparseMatrix, x: &[f64]) -> f64 {
-        let Self { ldlt, pattern, x: sorted, r, .. } = self;
-        for (unknown, &value) in x.iter().enumerate() {
-            sorted[pattern.position(unknown)] = value;
-        }
-        r.fill(0.0);
-        ldlt.subtract_product(pattern.supernodes(), k.values(), sorted, r);
-        -sorted.iter().zip(&*r).map(|(x, r)| x * r).sum::<f64>()
-    }
-
     /// Returns a solution of K x = b after a further step of refinement.
     ///
     /// Parts of x that are zero but for rounding errors change by their own size. The backward error does not show them, since
@@ -308,20 +293,31 @@ impl Factor {
         for &at in self.pattern.shared().iter().filter(|_| !lambda.is_empty()) {
             self.b[at] += COMPLIANCE / self.d[at].powi(2) * lambda[self.pattern.unknown(at) - coordinates];
         }
+        self.solve_plain(&shared.compliant)?;
+        shared.x.copy_from_slice(&self.x);
+        shared.steps.restart();
         let least = if shared.is_rigid { f64::EPSILON } else { REFINE };
-        let mut steps = 0;
-        loop {
-            self.solve_plain(&shared.compliant)?;
-            shared.x.iter_mut().zip(&self.x).for_each(|(sum, x)| *sum += x);
-            self.x.copy_from_slice(&shared.x);
+        let mut before = f64::INFINITY;
+        for _ in 0..STEPS {
             self.b.copy_from_slice(&shared.b);
-            let error = self.backward_error(k);
-            steps += 1;
-            if error <= least || steps > STEPS {
-                return Ok(error);
+            let [residual, size] = self.residual(k);
+            if residual <= least * size || residual > REDUCTION * before {
+                break;
             }
+            before = residual;
+            shared.r.copy_from_slice(&self.r);
             self.b.copy_from_slice(&self.r);
+            self.solve_plain(&shared.compliant)?;
+            // The residual of b = 0 is −K z.
+            self.b.fill(0.0);
+            self.residual(k);
+            self.r.iter_mut().for_each(|r| *r = -*r);
+            shared.steps.step([&self.x, &self.r], &self.d, [&mut shared.x, &mut shared.r]);
+            self.x.copy_from_slice(&shared.x);
         }
+        self.b.copy_from_slice(&shared.b);
+        self.x.copy_from_slice(&shared.x);
+        Ok(self.backward_error(k))
     }
 
     /// Solves for `b` into `x` with up to two steps of iterative refinement.
@@ -352,46 +348,27 @@ impl Factor {
         }
     }
 
-    /// Computes the residual r = b − K x and the backward error, which is infinite unless all numbers are finite.
+    /// Computes the residual r = b − K x and the backward error.
     fn backward_error(&mut self, k: &SparseMatrix) -> f64 {
+        let [residual, size] = self.residual(k);
+        residual / size
+    }
+
+    /// Computes the residual r = b − K x. Returns its scaled norm, which is infinite unless all numbers are finite, and that of its parts.
+    fn residual(&mut self, k: &SparseMatrix) -> [f64; 2] {
         let Self { ldlt, pattern, d, b, x, r, .. } = self;
         copy(b, r);
         ldlt.subtract_product(pattern.supernodes(), k.values(), x, r);
         let error = |i: usize| if r[i].is_finite() { r[i].abs() * d[i] } else { f64::INFINITY };
         let residual = largest_of_chunks(b.len(), |range| range.map(error).fold(0.0, f64::max));
-        if residual == f64::INFINITY {
-            return residual;
-        }
         let size = |i: usize| (b[i].abs() * d[i]).max(x[i].abs() / d[i]);
-        let size = largest_of_chunks(b.len(), |range| range.map(size).fold(0.0, f64::max));
-        if residual < UNDERFLOW { 0.0 } else { residual / size }
+        let size = largest_of_chunks(b.len(), |range| range.map(size).fold(f64::MIN_POSITIVE, f64::max));
+        [if residual < UNDERFLOW { 0.0 } else { residual }, size]
     }
 
     /// Factorises the full matrix by LU with pivoting.
     fn factorise_by_lu(&mut self, k: &SparseMatrix) -> Result<(), SingularMatrix> {
         self.lu = ScaledLu::new(k, self.b.len());
         if self.lu.is_some() { Ok(()) } else { Err(SingularMatrix) }
-    }
-}
-
-impl Factor {
-    /// Returns true if the LU fallback is active.
-    pub fn is_lu(&self) -> bool {
-        self.lu.is_some()
-    }
-
-    /// Returns the scale of a coordinate: the inverse root of its diagonal entry in the last factorised matrix.
-    pub fn scale(&self, coordinate: usize) -> f64 {
-        self.d[self.pattern.position(coordinate)]
-    }
-
-    /// Returns the number of negative entries of D in L D Lᵀ, which is the number of negative eigenvalues of K.
-    ///
-    /// Returns `None` for LU, whose pivots do not provide the inertia.
-    ///
-    /// Source: Sylvester (1852), the law of inertia.
-    pub fn negative_pivots(&self) -> Option<usize> {
-        let negative = || self.ldlt.inverse_pivots().iter().filter(|inverse| **inverse < 0.0).count();
-        self.lu.is_none().then(negative)
     }
 }

@@ -1,7 +1,9 @@
 //! LDLᵀ factorisation of tangents with multipliers, iterative refinement and LU as a fallback; null spaces and dependences of
 //! sparse rows.
 
+mod conjugate_residuals;
 mod dependences;
+mod factor_measures;
 mod factorisation;
 mod inertia;
 mod multifrontal;

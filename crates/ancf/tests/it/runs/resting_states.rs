@@ -74,7 +74,7 @@ fn held_bodies_rest_without_warnings() {
             let of_energy = summary.warnings.iter().find(|text| text.contains("energy"));
             assert!(of_energy.is_none(), "{case}, {joints}: {of_energy:?}");
             assert!(
-                summary.iterations <= 2500,
+                summary.iterations <= 250,
                 "{case}, {joints}, {center:?}: {} iterations",
                 summary.iterations
             );

@@ -40,7 +40,12 @@ impl BeamMesh {
         let of_loads: Vec<_> = loads.iter().map(|load| self.load_rows(state, element, *load)).collect();
         let mut sum = own;
         if let Some(term) = self.prestrains.term(element) {
-            let forces = residual(term, state, damping);
+            let mut forces = [0.0; LOCAL];
+            let (mut gathered, n) = (LocalState::EMPTY, term.coordinates().len());
+            match damping {
+                Damping::Included => forces = residual(term, state, damping),
+                Damping::Excluded => term.add_elastic(&gathered.gather(state, term), &mut forces[..n]),
+            }
             sum.iter_mut().zip(forces).for_each(|(row, force)| *row += force);
         }
         for forces in &of_loads {

@@ -147,6 +147,23 @@ impl<const N: usize, S: Interpolation<N>> BeamPrestrain<N, S> {
         add_blocks(&blocks, k);
     }
 
+    /// Subtracts the forces of resultants of the sections.
+    fn subtract_forces(
+        &self,
+        at: &Local<'_>,
+        resultants: impl Fn(&Section<'_, N>) -> Strains,
+        r: &mut [f64],
+    ) {
+        let (q, mut force) = (RelativeVectors::new::<S>(&vectors(at.q)), [Vector3::zeros(); N]);
+        for section in self.sections(at) {
+            let g = sum(section.g0, &section.station.directors::<S>(&q));
+            section.station.distribute(&section.law.of_resultants(&resultants(&section), &g), &mut force);
+        }
+        for (row, force) in r.iter_mut().zip(force.iter().flatten()) {
+            *row -= force;
+        }
+    }
+
     /// Sums a function of the sections, of their directors and of the rates of these, times the lengths of the stations.
     fn integral(&self, at: &Local<'_>, of: impl Fn(&Section<'_, N>, &Directors, &Directors) -> f64) -> f64 {
         let [q, v] = [at.q, at.v].map(|x| RelativeVectors::new::<S>(&vectors(x)));
@@ -161,6 +178,10 @@ impl<const N: usize, S: Interpolation<N>> BeamPrestrain<N, S> {
 impl<const N: usize, S: Interpolation<N> + Clone + Send + Sync> PrestrainTerm for BeamPrestrain<N, S> {
     fn copied(&self) -> Box<dyn Term> {
         Box::new(self.clone())
+    }
+
+    fn add_elastic(&self, at: &Local<'_>, r: &mut [f64]) {
+        self.subtract_forces(at, |section| section.elastic(), r);
     }
 
     fn parts(&self, at: &Local<'_>) -> StrainEnergy {
@@ -187,14 +208,7 @@ impl<const N: usize, S: Interpolation<N> + Clone + Send + Sync> Term for BeamPre
     }
 
     fn residual(&self, at: &Local<'_>, r: &mut [f64]) {
-        let (q, mut force) = (RelativeVectors::new::<S>(&vectors(at.q)), [Vector3::zeros(); N]);
-        for section in self.sections(at) {
-            let g = sum(section.g0, &section.station.directors::<S>(&q));
-            section.station.distribute(&section.law.of_resultants(&section.resultants(), &g), &mut force);
-        }
-        for (row, force) in r.iter_mut().zip(force.iter().flatten()) {
-            *row -= force;
-        }
+        self.subtract_forces(at, |section| section.resultants(), r);
     }
 
     fn rounding(&self, at: &Local<'_>, floor: &mut [f64]) {

@@ -88,6 +88,14 @@ impl PrestrainTerm for CablePrestrain {
         Box::new(self.clone())
     }
 
+    fn add_elastic(&self, at: &Local<'_>, r: &mut [f64]) {
+        let q = vectors(at.q);
+        for (station, [strain, _]) in self.stations(at) {
+            let force = self.stretch(station, &q).tangent * (station.weight * self.force([strain, 0.0]));
+            add(station, &force, r);
+        }
+    }
+
     fn parts(&self, at: &Local<'_>) -> StrainEnergy {
         StrainEnergy { axial: self.energy(at).strain, ..StrainEnergy::default() }
     }

@@ -10,6 +10,9 @@ pub(crate) trait PrestrainTerm: Term {
     /// Copies the term.
     fn copied(&self) -> Box<dyn Term>;
 
+    /// Adds the residual without the viscous part of the rates of the prescribed strains.
+    fn add_elastic(&self, at: &Local<'_>, r: &mut [f64]);
+
     /// Returns the energy of the term by part: what it adds to the parts of the element.
     fn parts(&self, at: &Local<'_>) -> StrainEnergy;
 }

@@ -14,9 +14,9 @@ const SCHEME: SchemeCoefficients = SchemeCoefficients::generalized_alpha(0.5);
 /// Largest relative movement of the state for a difference of residuals.
 const DIFFERENCE: f64 = 1e-6;
 /// Ratio of the increments of an iteration to the first one at which it ends.
-const REDUCTION: f64 = 0.1;
+const REDUCTION: f64 = 1e-3;
 /// Largest number of iterations of a step.
-const ITERATIONS: u32 = 6;
+const ITERATIONS: u32 = 20;
 
 /// Error of a motion, exact less computed: q, v, v̇, λ of a state.
 ///

@@ -5,6 +5,9 @@ use crate::equations::State;
 
 /// Number of accelerations of an integral.
 const NODES: usize = 4;
+/// Ratio of the acceleration of a coordinate at a start or jump to that at the end of the first step above which it is that of a fast
+/// motion that decays within the step.
+const FAST: f64 = 10.0;
 
 /// Integration of the accelerations of the last steps by a polynomial through them, of higher order than that of the scheme.
 ///
@@ -49,12 +52,16 @@ impl Quadrature {
         }
         let count = if self.is_consistent { 2 + self.count } else { 1 };
         let [single, double] = weights(&places[..count]);
+        let is_first = self.is_consistent && self.count == 0;
         let accelerations = [&now.a, &before.a, &self.earlier[0], &self.earlier[1]];
         for i in 0..defect.q.len() {
             let [mut once, mut twice] = [0.0; 2];
             for (a, (single, double)) in accelerations.iter().zip(single.iter().zip(&double)) {
                 once += single * a[i];
                 twice += double * a[i];
+            }
+            if is_first && before.a[i].abs() > FAST * now.a[i].abs() {
+                (once, twice) = (now.a[i], 0.5 * now.a[i]);
             }
             defect.v[i] = h * once - (now.v[i] - before.v[i]);
             defect.q[i] = h * (before.v[i] + h * twice) - (now.q[i] - before.q[i]);

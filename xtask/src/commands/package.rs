@@ -8,7 +8,7 @@ use crate::packages::build::Built;
 use crate::packages::wheel;
 use crate::system::debian;
 use crate::system::environment::Environment;
-use crate::system::shell::{Done, cargo, root, run, say};
+use crate::system::shell::{Done, cargo, root, run, say, side_by_side};
 
 /// Installs the wheel with the dependencies of its tests and documentation, runs both, and tries the wheel in an empty
 /// environment.
@@ -18,16 +18,21 @@ pub(crate) fn test() -> Done {
     // The version may be installed already, from another state of the sources.
     environment.install([Path::new("--force-reinstall"), Path::new("--no-deps"), &wheel])?;
     environment.install([format!("{}[test,docs]", wheel.display())])?;
-    let checks: [(&str, &str, &[&str]); 6] = [
+    let quick: [(&str, &str, &[&str]); 4] = [
         ("format of Python", "ruff", &["format", "--check", "--quiet", "."]),
         ("lints of Python", "ruff", &["check", "--quiet", "."]),
         ("types", "mypy", &["crates/ancf-py/python/ancf", "crates/ancf-py/tests"]),
         ("stubs", "stubtest", &["ancf._ancf", "--mypy-config-file", "pyproject.toml"]),
-        ("tests of Python", "pytest", &["--quiet", "--numprocesses", "auto", "--dist", "loadfile"]),
-        ("site", "sphinx-build", &["-E", "-W", "--keep-going", "--quiet", "docs", "target/site"]),
     ];
-    checks.iter().try_for_each(|(what, program, arguments)| step(&environment, what, program, arguments))?;
-    wheel::test(&wheel, &environment, &folder())
+    quick.iter().try_for_each(|(what, program, arguments)| step(&environment, what, program, arguments))?;
+    // The site and the installation of the wheel use one core.
+    let site = || {
+        let arguments = ["-E", "-W", "--keep-going", "--quiet", "docs", "target/site"];
+        step(&environment, "site", "sphinx-build", &arguments)?;
+        wheel::test(&wheel, &environment, &folder())
+    };
+    let tests = ["--quiet", "--numprocesses", "auto", "--dist", "loadfile"];
+    side_by_side(|| step(&environment, "tests of Python", "pytest", &tests), site)
 }
 
 /// Builds the wheel with an optimised extension and the program of the tests inside, and tries it in an empty environment.

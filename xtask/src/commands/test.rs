@@ -2,14 +2,13 @@
 
 use std::process::Command;
 use std::sync::{Mutex, MutexGuard, PoisonError};
-use std::thread;
 use std::time::{Duration, Instant};
 
 use super::release::container;
 use super::{benchmark, dependencies, importers, package, playground, viewer};
 use crate::layers;
 use crate::packages::crates;
-use crate::system::shell::{Done, cargo, say};
+use crate::system::shell::{Done, cargo, say, side_by_side};
 
 /// Runs all tests, the quick checks first, and prints the time of each part. Stops at the first failure.
 pub(crate) fn all() -> Done {
@@ -49,16 +48,6 @@ fn parts(timer: &PartTimer) -> Done {
     timer.run("viewer", viewer::test)?;
     timer.run("Python", package::test)?;
     timer.run("FMI", importers::test)
-}
-
-/// Runs two series of parts at the same time, each to its end or its first failure. Returns the first failure.
-fn side_by_side(first: impl FnOnce() -> Done, second: impl FnOnce() -> Done + Send) -> Done {
-    thread::scope(|scope| {
-        let second = scope.spawn(second);
-        let first = first();
-        let second = second.join().unwrap_or_else(|_| Err("a part of the tests panicked".to_owned()));
-        first.and(second)
-    })
 }
 
 /// Wall-clock times of the parts of the tests. Parts may overlap.

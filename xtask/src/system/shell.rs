@@ -3,6 +3,7 @@
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::thread;
 
 /// Result of a command: the error is the reason, in words.
 pub(crate) type Done = Result<(), String>;
@@ -20,6 +21,16 @@ pub(crate) fn run(what: &str, command: &mut Command) -> Done {
         Ok(status) => Err(format!("{what}: {status}")),
         Err(error) => Err(format!("{what}: cannot run {}: {error}", command.get_program().display())),
     }
+}
+
+/// Runs two parts at the same time, each to its end or its first failure. Returns the first failure.
+pub(crate) fn side_by_side(first: impl FnOnce() -> Done, second: impl FnOnce() -> Done + Send) -> Done {
+    thread::scope(|scope| {
+        let second = scope.spawn(second);
+        let first = first();
+        let second = second.join().unwrap_or_else(|_| Err("a part panicked".to_owned()));
+        first.and(second)
+    })
 }
 
 /// Returns the root folder of the workspace.

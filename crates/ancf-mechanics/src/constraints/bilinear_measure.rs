@@ -2,7 +2,7 @@ use ancf_solver::equations::{LOCAL, LocalMatrix, State};
 use nalgebra::Vector3;
 
 use super::bilinear_row::BilinearRow;
-use super::coincidence::Wrench;
+use super::wrench::Wrench;
 use crate::kinematics::BodyVector;
 
 /// Magnitude of a joint coordinate, in radians or in the unit of length of the solver, below which its rounding error is that of the

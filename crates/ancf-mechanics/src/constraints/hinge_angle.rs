@@ -5,7 +5,7 @@ use ancf_solver::equations::{
 };
 use nalgebra::Vector3;
 
-use super::coincidence::Wrench;
+use super::wrench::Wrench;
 use crate::kinematics::{BodyVector, relative_driven_rotation};
 
 /// Angle of a revolute joint as a massless coordinate θ, defined by one equation.

@@ -3,7 +3,7 @@ use std::ops::Range;
 use ancf_solver::equations::{Local, LocalMatrix, State, Term, Weights};
 use nalgebra::Vector3;
 
-use super::coincidence::Wrench;
+use super::wrench::Wrench;
 use crate::kinematics::Marker;
 
 /// Nodal vector with the direction along which its displacement counts.

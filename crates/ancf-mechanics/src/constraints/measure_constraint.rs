@@ -7,9 +7,9 @@ use ancf_solver::equations::{
 
 use super::bilinear_measure::BilinearMeasure;
 use super::bilinear_row::{BilinearRow, QuadraticConstraint};
-use super::coincidence::Wrench;
 use super::constraint_group::GroupedConstraint;
 use super::measure_target::MeasureTarget;
+use super::wrench::Wrench;
 
 /// Equation that prescribes the value of a measure. Joints, drives and couplings consist of such equations.
 ///

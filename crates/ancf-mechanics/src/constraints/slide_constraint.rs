@@ -6,7 +6,8 @@ use ancf_solver::equations::{
 };
 use nalgebra::Vector3;
 
-use super::coincidence::{AXES, Wrench};
+use super::coincidence::AXES;
+use super::wrench::Wrench;
 use crate::kinematics::{BodyVector, ElementAxis};
 
 /// Sliding joint of a point on the axis of a beam: r_a = r_b(s), with the undeformed arc length s as a massless

@@ -4,8 +4,8 @@ use ancf_solver::equations::{
     Inadmissibility, Level, Local, LocalMatrix, LocalStep, State, Term, Weights, discrete_residual,
 };
 
-use super::coincidence::Wrench;
 use super::hinge_angle::HingeAngle;
+use super::wrench::Wrench;
 use crate::kinematics::BodyVector;
 
 /// Twist of a body about an axis of another one as a massless coordinate τ, defined by one equation.

@@ -11,7 +11,7 @@ const LEAST_LIMIT: f64 = 1e-6;
 #[derive(Default)]
 pub(crate) struct IterationProgress {
     pub(crate) report: NewtonReport,
-    /// Size of the first increment.
+    /// Energy of the first increment.
     pub(crate) first: Option<f64>,
     /// Smallest energy of an increment so far.
     least: Option<f64>,
@@ -44,7 +44,7 @@ impl IterationProgress {
     /// energies are compared with that of the first increment. Later ones may be larger by any factor: an increment along straight
     /// tangents stretches slender bodies.
     pub(crate) fn is_exhausted(&self) -> bool {
-        self.last.zip(self.first).is_some_and(|(last, first)| last <= EXHAUSTED * first * first)
+        self.last.zip(self.first).is_some_and(|(last, first)| last <= EXHAUSTED * first)
     }
 
     /// Returns true if the last increment is small compared with coordinates of this norm.

@@ -6,9 +6,9 @@ use serde::{Deserialize, Serialize};
 use super::error::{SolveError, SolveFailure};
 use super::interrupt::Interrupt;
 use super::iteration_progress::IterationProgress;
-use super::line_search::{FullUpdate, LinearSolution, StateUpdate};
 use super::rounding_errors::Iterate;
 use super::rounding_floor::FLOOR;
+use super::state_update::{FullUpdate, LinearSolution, StateUpdate};
 use super::stopping::{NewtonReport, REMAINDER, StopRule, remainder_target};
 use super::tangent::{NewtonTangent, TangentCheckpoint};
 use crate::equations::{EquationsOfMotion, State, Weights};
@@ -33,7 +33,7 @@ pub struct Newton {
     weights: Weights,
     /// Largest energy of the converged states so far.
     energy: f64,
-    /// Size of the first increment of the last solution, the root of its energy.
+    /// Energy of the first increment of the last solution.
     first: f64,
 }
 
@@ -125,7 +125,7 @@ impl Newton {
     ///
     /// It is the energy of the error of the state from which the iteration started.
     pub(crate) fn start_error(&self) -> f64 {
-        self.first * self.first / self.energy
+        self.first / self.energy
     }
 
     /// Returns zᵀ K z with the last tangent K, for an increment z of n coordinates.
@@ -245,8 +245,8 @@ impl Newton {
                 break;
             }
         }
-        let Self { tangent: NewtonTangent { matrix, factor, .. }, r, z, .. } = self;
-        update.apply(LinearSolution { eom, matrix, factor, r, z }, s, w)?;
+        let Self { tangent: NewtonTangent { matrix, factor, .. }, z, .. } = self;
+        update.apply(LinearSolution { eom, matrix, factor, z }, s, w)?;
         report.iterations += 1;
         report.increment = w.q * norm(&self.z[..n]);
         Ok(w.q * dot(&self.z[..n], &self.r[..n]).abs() + dot(&self.z[n..], &self.r[n..]).abs())
@@ -258,7 +258,7 @@ impl Newton {
     /// have large increments with a residual below these errors, far from any equilibrium.
     fn is_small(&self, eom: &dyn EquationsOfMotion, s: &State, progress: &IterationProgress) -> bool {
         let is_small = |last| last <= SMALL * self.energy.max(eom.energy(s).largest());
-        self.weights != Weights::STIFFNESS || progress.last.is_some_and(is_small)
+        !self.weights.is_static() || progress.last.is_some_and(is_small)
     }
 
     /// Ends the iteration if the residual is small enough, at its rounding floor or not finite, or on interrupt.
@@ -279,7 +279,7 @@ impl Newton {
             return ControlFlow::Break(Ok(report));
         }
         let is_last = report.iterations >= self.max_iterations;
-        let is_settled = self.weights != Weights::STIFFNESS || progress.is_settled(norm(&s.q));
+        let is_settled = !self.weights.is_static() || progress.is_settled(norm(&s.q));
         let is_floor =
             progress.stagnant > 0 && self.is_small(eom, s, progress) && self.at(eom, s).excess().1 <= FLOOR;
         // Without an energy of a motion, increments may decrease without limit or vary randomly.
@@ -320,7 +320,7 @@ impl Newton {
         energy: f64,
         progress: &mut IterationProgress,
     ) -> ControlFlow<Result<NewtonReport, SolveFailure>> {
-        let is_static = self.weights == Weights::STIFFNESS;
+        let is_static = self.weights.is_static();
         if is_static {
             let gap = norm(&self.r[s.q.len()..]);
             progress.gap = Some(progress.gap.map_or(gap, |least| least.min(gap)));
@@ -333,9 +333,9 @@ impl Newton {
                 let is_motion = self.energy > 0.0 && !is_static;
                 let largest = if is_motion { self.energy } else { self.energy.max(eom.energy(s).largest()) };
                 let (size, expected) = (energy.sqrt(), tolerance * largest.sqrt());
-                let first = *progress.first.get_or_insert(size);
+                let first = *progress.first.get_or_insert(energy);
                 self.first = first;
-                let mut remainder = remainder_target(expected, first, largest.sqrt());
+                let mut remainder = remainder_target(expected, first.sqrt(), largest.sqrt());
                 self.tangent.record(progress.rate(energy));
                 let left = self.tangent.remainder(size);
                 if is_motion && left > remainder && left <= REMAINDER * expected {

@@ -62,7 +62,7 @@ impl Iterate<'_> {
     /// residual. An arm on a driven hinge is an example. The work of the residual on the last increment decides, since
     /// there is no energy that the other rule could compare it with.
     pub(super) fn is_rounding(&mut self, largest: f64) -> bool {
-        if self.weights != Weights::STIFFNESS {
+        if !self.weights.is_static() {
             return false;
         }
         let Self { eom, s, r, z, floor, .. } = self;
@@ -83,7 +83,7 @@ impl Iterate<'_> {
     /// measures them. In slender bodies this increment may have more energy than the state, so several increments
     /// decide.
     pub(super) fn is_increment_of_rounding(&mut self, energy: Option<f64>) -> bool {
-        let Some(energy) = energy.filter(|_| self.weights == Weights::STIFFNESS) else { return false };
+        let Some(energy) = energy.filter(|_| self.weights.is_static()) else { return false };
         let Self { eom, s, r, floor, tangent, .. } = self;
         eom.rounding(s, floor);
         let floor: &[f64] = floor;

@@ -245,7 +245,7 @@ impl NewtonTangent {
     ) -> Result<(), SolveFailure> {
         let Self { matrix, factor, .. } = self;
         let mut solve = |x: &mut [f64]| factor.solve_increment(matrix, x, &s.lambda);
-        let solved = if w == Weights::STIFFNESS {
+        let solved = if w.is_static() {
             solve_with_skew_part(&eom.skew_stiffness(s), z, &mut solve).map(|_| ())
         } else {
             solve(z)

@@ -1,7 +1,7 @@
 use super::equilibrium::Equilibrium;
 use crate::equations::{EquationsOfMotion, State, Weights};
 use crate::factor::negative_eigenvalues;
-use crate::newton::{ActiveSet, LineSearch, Newton, SolveError, SolveFailure};
+use crate::newton::{ActiveSet, AdmissibleUpdate, Newton, SolveError, SolveFailure};
 use crate::vectors::PseudoRandom;
 
 /// First and largest rotation of an iteration, relative to the largest rotation of a load increment.
@@ -23,7 +23,7 @@ const SMALLEST_SHIFT: f64 = 1e-14;
 pub(super) fn leave<E: EquationsOfMotion>(
     eom: &mut ActiveSet<'_, E>,
     newton: &mut Newton,
-    search: &mut LineSearch,
+    update: &mut AdmissibleUpdate,
     s: &mut State,
 ) -> Result<Equilibrium, SolveError> {
     let failed = |s: &State| SolveError::at(s.t, SolveFailure::Unstable);
@@ -39,7 +39,7 @@ pub(super) fn leave<E: EquationsOfMotion>(
         let rotation = advance(&**eom, s, &z, iteration == 0).ok_or_else(|| failed(s))?;
         if iteration > 0 && shift == 0.0 && rotation < CLOSE {
             let mut end = s.clone();
-            let found = Equilibrium::find(newton, search, &**eom, &mut end)?;
+            let found = Equilibrium::find(newton, update, &**eom, &mut end)?;
             let is_complete = eom.with_active_terms(&end).is_none();
             if is_complete && found.unstable == Some(0) && eom.rotation(s, &end).size < ROTATIONS[1] {
                 s.copy_from(&end);

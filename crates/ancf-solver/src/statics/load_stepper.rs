@@ -4,7 +4,7 @@ use super::equilibrium::{Equilibrium, check_change};
 use super::leave::leave;
 use super::linear_response::{EquilibriumResponse, linear_response};
 use crate::equations::{Energy, EquationsOfMotion, State};
-use crate::newton::{ActiveSet, EquilibriumError, LineSearch, Newton, SolveError, SolveFailure};
+use crate::newton::{ActiveSet, AdmissibleUpdate, EquilibriumError, Newton, SolveError, SolveFailure};
 
 /// Sizes of load increments, relative to the interval between the first and the last load factor.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -64,8 +64,8 @@ pub type Response<'a> = dyn FnMut(&[f64]) -> Option<Vec<f64>> + 'a;
 
 /// Incremental-iterative solution of static equilibrium: r(q, λ, s) = 0 with v = a = 0 up to a final load factor s.
 ///
-/// Each increment of s is predicted on the line through the last two equilibria. Newton's method with a line search
-/// corrects it. Failed increments are halved, and increments follow that double after fast convergence. An increment also
+/// Each increment of s is predicted on the line through the last two equilibria. Newton's method corrects it, with
+/// shorter increments where a state would be inadmissible. Failed increments are halved, and increments follow that double after fast convergence. An increment also
 /// fails if a drive, a body or a section turns too far, or if a body passes through its contact partner
 /// ([`EquationsOfMotion::rotation`], [`EquationsOfMotion::crossing`]): the equations are satisfied on both sides. Beyond a limit point, use [`ArcLength`](super::arc_length::ArcLength).
 #[derive(Debug)]
@@ -73,7 +73,7 @@ pub struct LoadStepper<'a, E: EquationsOfMotion + ?Sized> {
     eom: ActiveSet<'a, E>,
     newton: Newton,
     increments: LoadIncrements,
-    search: LineSearch,
+    update: AdmissibleUpdate,
     state: State,
     /// Number of unstable directions of the current state.
     unstable: Option<usize>,
@@ -89,9 +89,9 @@ impl<'a, E: EquationsOfMotion> LoadStepper<'a, E> {
     pub fn new(eom: &'a E, mut newton: Newton, increments: LoadIncrements, mut start: State) -> Self {
         start.stop();
         newton.set_stagnation_limit(STAGNATION_LIMIT);
-        let search = LineSearch::new(&start);
+        let update = AdmissibleUpdate::new(&start);
         let (unstable, before, trial) = (Some(0), None, start.clone());
-        Self { eom: ActiveSet::new(eom), newton, increments, search, state: start, unstable, before, trial }
+        Self { eom: ActiveSet::new(eom), newton, increments, update, state: start, unstable, before, trial }
     }
 
     /// Returns the current state.
@@ -168,9 +168,9 @@ impl<'a, E: EquationsOfMotion> LoadStepper<'a, E> {
         check_change(&*self.eom, &found, &self.state, &self.trial)?;
         loop {
             self.predict(load);
-            let Self { newton, search, eom, state, trial, .. } = self;
+            let Self { newton, update, eom, state, trial, .. } = self;
             newton.tangent.predict_stresses(state);
-            let solution = Equilibrium::find(newton, search, &**eom, trial);
+            let solution = Equilibrium::find(newton, update, &**eom, trial);
             newton.tangent.end_prediction();
             found = found.repeated(solution?);
             if !eom.include_active_terms(newton, trial)? {
@@ -188,7 +188,7 @@ impl<'a, E: EquationsOfMotion> LoadStepper<'a, E> {
         self.state.copy_from(&self.trial);
         self.unstable = found.unstable;
         if lost && self.increments.unstable == UnstablePolicy::Leave {
-            let left = leave(&mut self.eom, &mut self.newton, &mut self.search, &mut self.state)?;
+            let left = leave(&mut self.eom, &mut self.newton, &mut self.update, &mut self.state)?;
             (found, self.unstable, self.before) = (found.repeated(left), left.unstable, None);
         }
         Ok((found, rotation))

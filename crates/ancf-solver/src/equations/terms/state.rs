@@ -42,7 +42,7 @@ impl State {
     /// Adds an increment z = (dz, dλ): q += w_q dz, v += w_v dz, a += w_a dz, λ += dλ.
     pub fn add(&mut self, z: &[f64], w: Weights) {
         let (dz, dlambda) = z.split_at(self.q.len());
-        if w == Weights::STIFFNESS {
+        if w.is_static() {
             // In statics the zero velocities and accelerations are not written.
             for_each_chunk(&mut self.q, |range, q| q.iter_mut().zip(&dz[range]).for_each(|(q, dz)| *q += dz));
         } else {
@@ -183,6 +183,12 @@ impl Weights {
     pub const DAMPING: Self = Self { q: 0.0, v: 1.0, a: 0.0 };
     /// Weights for unknown accelerations at fixed q and v: the tangent is the mass matrix.
     pub const MASS: Self = Self { q: 0.0, v: 0.0, a: 1.0 };
+
+    /// Returns true for the weights of statics, where velocities and accelerations do not change.
+    #[must_use]
+    pub const fn is_static(self) -> bool {
+        self.v == 0.0 && self.a == 0.0
+    }
 
     /// Returns the weights of the middle of a step, whose start is fixed.
     #[must_use]

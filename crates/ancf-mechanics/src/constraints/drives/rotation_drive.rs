@@ -3,7 +3,8 @@ use std::ops::Range;
 use ancf_solver::equations::{Local, LocalMatrix, State, Term, Weights};
 use nalgebra::Vector3;
 
-use super::coincidence::{AXES, Wrench, direction};
+use crate::constraints::Wrench;
+use crate::constraints::coincidence::{AXES, direction};
 use crate::functions::{Function, FunctionValue};
 use crate::kinematics::{Marker, relative_driven_rotation};
 

@@ -3,7 +3,7 @@ use std::ops::Range;
 use ancf_solver::equations::{Inadmissibility, Level, Local, LocalMatrix, State, Term, Weights};
 use nalgebra::Vector3;
 
-use super::coincidence::Wrench;
+use crate::constraints::Wrench;
 use crate::functions::{Function, FunctionValue};
 use crate::kinematics::{Marker, SectionFrame, relative_driven_rotation};
 

@@ -104,7 +104,7 @@ pub struct Model {
     /// Contacts of bodies with obstacles and with each other.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub contacts: Vec<Contact>,
-    /// Units in which the equations are solved; the units of the model by default.
+    /// Units in which the equations are solved; automatic units by default.
     #[serde(default)]
     pub scales: ScaleChoice,
     /// State at the start of dynamics; the undeformed state by default.

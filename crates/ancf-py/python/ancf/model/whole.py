@@ -150,7 +150,7 @@ class Model(Document):
     probes
         Places where results are recorded.
     scales
-        Units in which the equations are solved; the units of the model by default.
+        Units in which the equations are solved; automatic units by default.
     sections
         Cross-sections by name.
     title

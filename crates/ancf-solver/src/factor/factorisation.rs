@@ -23,7 +23,7 @@ use crate::vectors::{copy, for_each_chunk, largest_of_chunks};
 /// With redundant constraints, K is singular and multipliers are *shared*
 /// ([`System::with_shared_multipliers`](crate::equations::System::with_shared_multipliers)). The factorised matrix K_ε = K − εE then has a compliance
 /// −ε/D² on their diagonal. Among all multipliers that satisfy the equations it selects those with minimal λᵀEλ, since
-/// Φ_q Δq − εE λ = −Φ places Eλ in the range of Φ_q. [`ConjugateResiduals`] with K_ε remove the other effects of ε.
+/// Φ_q Δq − εE λ = −Φ places Eλ in the range of Φ_q. Conjugate residuals with K_ε remove the other effects of ε.
 ///
 /// Source: Rigal & Gaches (1967) for the error; Bertsekas (1982), the method of multipliers.
 pub struct Factor {

@@ -58,8 +58,8 @@ pub(crate) fn variables(release: &Release, source: &Path) -> [(&'static str, OsS
 
 /// Flags of the compiler that replace folders of this machine in messages.
 fn remapped(source: &Path) -> String {
-    let module_name = env::var_os("HOME").map(PathBuf::from).unwrap_or_default();
-    let cargo = env::var_os("CARGO_HOME").map_or_else(|| module_name.join(".cargo"), PathBuf::from);
+    let home = env::var_os("HOME").map(PathBuf::from).unwrap_or_default();
+    let cargo = env::var_os("CARGO_HOME").map_or_else(|| home.join(".cargo"), PathBuf::from);
     let pairs = [(source, "/ancf"), (&cargo, "/cargo")];
     let flags = pairs.map(|(from, to)| format!("--remap-path-prefix={}={to}", from.display()));
     flags.join("\u{1f}")

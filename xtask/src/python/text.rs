@@ -80,14 +80,14 @@ fn default(schema: &Json, of: &Json, value: &Json) -> String {
 pub(super) fn summary(text: &str, indent: usize) -> (String, String) {
     let (first, rest) = text.split_once("\n\n").unwrap_or((text, ""));
     let first = first.replace('\n', " ");
-    let folder_name = WIDTH - indent - 6;
-    if first.chars().count() <= folder_name {
+    let room = WIDTH - indent - 6;
+    if first.chars().count() <= room {
         return (first, rest.to_owned());
     }
     let (head, tail) = sentence(&first)
         .into_iter()
         .chain([": ", "; "].iter().filter_map(|mark| first.split_once(mark)))
-        .find(|(head, _)| head.chars().count() < folder_name)
+        .find(|(head, _)| head.chars().count() < room)
         .unwrap_or((&first, ""));
     let mut letters = tail.chars();
     let tail = letters.next().map(|letter| letter.to_uppercase().collect::<String>() + letters.as_str());

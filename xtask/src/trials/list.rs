@@ -64,8 +64,7 @@ pub(crate) fn run(
         fs::remove_dir_all(&folder).map_err(|error| format!("{}: {error}", folder.display()))?;
     }
     fs::create_dir_all(&folder).map_err(|error| format!("{}: {error}", folder.display()))?;
-    fs::create_dir_all(&program.module_name)
-        .map_err(|error| format!("{}: {error}", program.module_name.display()))?;
+    fs::create_dir_all(&program.home).map_err(|error| format!("{}: {error}", program.home.display()))?;
     say(&format!("\n== trial of {what}"));
     let trial = Trial { program, folder: folder.clone() };
     let start = Instant::now();

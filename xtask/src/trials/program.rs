@@ -14,20 +14,20 @@ pub(crate) struct Program {
     /// Program that sends Ctrl-C and keeps files open on Windows.
     pub(crate) console: Option<PathBuf>,
     /// Home folder.
-    pub(crate) module_name: PathBuf,
+    pub(crate) home: PathBuf,
     /// Factor of the durations of motions, below 1 for programs that are compiled without optimisation.
     pub(crate) pace: f64,
 }
 
 impl Program {
     /// Program of this system.
-    pub(crate) fn native(file: &Path, module_name: &Path) -> Self {
+    pub(crate) fn native(file: &Path, home: &Path) -> Self {
         Self {
             file: file.to_owned(),
             emulator: None,
             variables: Vec::new(),
             console: None,
-            module_name: module_name.to_owned(),
+            home: home.to_owned(),
             pace: 1.0,
         }
     }
@@ -62,11 +62,7 @@ impl Program {
         if self.emulator.is_some() {
             command.arg(file);
         }
-        command
-            .env_clear()
-            .env("HOME", &self.module_name)
-            .env("LC_ALL", "C.UTF-8")
-            .env("PATH", "/usr/bin:/bin");
+        command.env_clear().env("HOME", &self.home).env("LC_ALL", "C.UTF-8").env("PATH", "/usr/bin:/bin");
         command.envs(self.variables.iter().map(|(name, value)| (name, value)));
         command
     }

@@ -35,11 +35,10 @@ pub(crate) fn program(file: &Path, folder: &Path) -> Result<Program, String> {
         emulator: Some("wine".into()),
         variables: vec![("WINEPREFIX".to_owned(), prefix.into()), ("WINEDEBUG".to_owned(), "-all".into())],
         console: Some(console),
-        module_name: folder.join("module_name"),
+        home: folder.join("home"),
         pace: 1.0,
     };
-    std::fs::create_dir_all(&program.module_name)
-        .map_err(|error| format!("{}: {error}", program.module_name.display()))?;
+    std::fs::create_dir_all(&program.home).map_err(|error| format!("{}: {error}", program.home.display()))?;
     let starts = || {
         program
             .command(folder, &["--version"])

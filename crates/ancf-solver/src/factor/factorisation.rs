@@ -302,21 +302,20 @@ impl Factor {
             self.b.copy_from_slice(&shared.b);
             let [residual, size] = self.residual(k);
             if residual <= least * size || residual > REDUCTION * before {
-                break;
+                return Ok(residual / size);
             }
             before = residual;
             shared.r.copy_from_slice(&self.r);
             self.b.copy_from_slice(&self.r);
             self.solve_plain(&shared.compliant)?;
-            // The residual of b = 0 is −K z.
-            self.b.fill(0.0);
-            self.residual(k);
-            self.r.iter_mut().for_each(|r| *r = -*r);
-            shared.steps.step([&self.x, &self.r], &self.d, [&mut shared.x, &mut shared.r]);
+            let Self { ldlt, pattern, x, r, .. } = self;
+            r.fill(0.0);
+            ldlt.subtract_product(pattern.supernodes(), k.values(), x, r);
+            r.iter_mut().for_each(|r| *r = -*r);
+            shared.steps.step([&self.x, &self.r], &self.d, &shared.r, &mut shared.x);
             self.x.copy_from_slice(&shared.x);
         }
         self.b.copy_from_slice(&shared.b);
-        self.x.copy_from_slice(&shared.x);
         Ok(self.backward_error(k))
     }
 

@@ -74,7 +74,7 @@ pub(super) fn match_scales(
     }
     // The multipliers get their scales at the end.
     k.pattern().border().iter().for_each(|border| d[border.multiplier as usize] = 0.0);
-    let softest = d.iter().copied().fold(0.0, f64::max);
+    let softest = Some(d.iter().copied().fold(0.0, f64::max)).filter(|d| *d > 0.0).unwrap_or(1.0);
     k.pattern().border().iter().for_each(|border| d[border.multiplier as usize] = 1.0);
     while open {
         bound_scales(k, d, [&mut *largest, &mut *bound]);
@@ -86,7 +86,6 @@ pub(super) fn match_scales(
         }
     }
     // Coordinates without any stiffness in their chain of constraints.
-    let softest = if softest > 0.0 { softest } else { 1.0 };
     d.iter_mut().filter(|d| **d == 0.0).for_each(|d| *d = softest);
     scale_multipliers(k, d, largest);
     false

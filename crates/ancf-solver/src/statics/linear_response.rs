@@ -1,5 +1,5 @@
 use crate::equations::{EquationsOfMotion, State, Weights};
-use crate::factor::{Factor, solve_with_skew_part};
+use crate::factor::{Factor, add_skew_product, solve_with_skew_part};
 use crate::newton::{ActiveSet, Newton, NewtonTangent, SolveFailure};
 use crate::sparse::SparseMatrix;
 
@@ -70,14 +70,10 @@ pub(crate) fn refined_load_response(
     s: &State,
 ) -> Result<[Vec<f64>; 2], SolveFailure> {
     let response = load_response(newton, eom, s)?;
-    let (skew, mut rest) = (eom.skew_stiffness(s), eom.load_force(s));
-    for (rest, product) in rest.iter_mut().zip(newton.tangent.matrix.times(&response)) {
-        *rest -= product;
-    }
-    for (i, j, value) in skew {
-        rest[i] -= value * response[j];
-        rest[j] += value * response[i];
-    }
+    let mut product = newton.tangent.matrix.times(&response);
+    add_skew_product(&eom.skew_stiffness(s), &response, &mut product);
+    let rest: Vec<f64> =
+        eom.load_force(s).iter().zip(product).map(|(force, product)| force - product).collect();
     let correction = linear_response(newton, eom, s, &rest).ok_or(SolveFailure::Singular)?;
     let refined = response.iter().zip(&correction).map(|(x, correction)| x + correction).collect();
     Ok([response, refined])

@@ -48,7 +48,7 @@ pub(crate) fn try_file(options: &[String]) -> Done {
     create(&place)?;
     let mut program = match is_windows {
         true => wine::install().and_then(|()| wine::program(&file, &place))?,
-        false => Program::native(&file, &place.join("module_name")),
+        false => Program::native(&file, &place.join("home")),
     };
     program.pace = pace;
     trials::run(&file.display().to_string(), &program, &place, reference).map(|_| ())
@@ -84,7 +84,7 @@ fn try_archive(
     reference: Option<&Path>,
 ) -> Result<PathBuf, String> {
     let (file, place) = unpack(release, archive)?;
-    let program = Program::native(&file, &place.join("module_name"));
+    let program = Program::native(&file, &place.join("home"));
     trials::run(what, &program, &place, reference)
 }
 

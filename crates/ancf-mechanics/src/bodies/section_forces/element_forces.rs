@@ -5,6 +5,7 @@ use nalgebra::Vector3;
 
 use crate::bodies::mesh::BeamMesh;
 use crate::constraints::Wrench;
+use crate::elements::PrestrainTerm;
 use crate::kinematics::{VectorKind, gauss4};
 use crate::rods::{PointLoad, RodLoads};
 
@@ -40,12 +41,10 @@ impl BeamMesh {
         let of_loads: Vec<_> = loads.iter().map(|load| self.load_rows(state, element, *load)).collect();
         let mut sum = own;
         if let Some(term) = self.prestrains.term(element) {
-            let mut forces = [0.0; LOCAL];
-            let (mut gathered, n) = (LocalState::EMPTY, term.coordinates().len());
-            match damping {
-                Damping::Included => forces = residual(term, state, damping),
-                Damping::Excluded => term.add_elastic(&gathered.gather(state, term), &mut forces[..n]),
-            }
+            let forces = match damping {
+                Damping::Included => residual(term, state, damping),
+                Damping::Excluded => elastic_residual(term, state),
+            };
             sum.iter_mut().zip(forces).for_each(|(row, force)| *row += force);
         }
         for forces in &of_loads {
@@ -286,6 +285,14 @@ fn residual(term: &dyn Term, state: &State, damping: Damping) -> [f64; LOCAL] {
     let (mut gathered, mut r) = (LocalState::EMPTY, [0.0; LOCAL]);
     let at = damping.applied(gathered.gather(state, term));
     term.residual(&at, &mut r[..at.q.len() + at.lambda.len()]);
+    r
+}
+
+/// Evaluates the residual of prescribed strains without their rates in a global state.
+fn elastic_residual(term: &dyn PrestrainTerm, state: &State) -> [f64; LOCAL] {
+    let (mut gathered, mut r) = (LocalState::EMPTY, [0.0; LOCAL]);
+    let at = gathered.gather(state, term);
+    term.add_elastic(&at, &mut r[..at.q.len()]);
     r
 }
 

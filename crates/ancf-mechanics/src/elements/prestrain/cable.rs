@@ -61,6 +61,14 @@ impl CablePrestrain {
         -self.rigidity() * (strain + self.retardation() * rate)
     }
 
+    /// Adds the forces of an axial force at each station.
+    fn add_forces(&self, at: &Local<'_>, force: impl Fn([f64; 2]) -> f64, r: &mut [f64]) {
+        let q = vectors(at.q);
+        for (station, strain) in self.stations(at) {
+            add(station, &(self.stretch(station, &q).tangent * (station.weight * force(strain))), r);
+        }
+    }
+
     /// Adds the stiffness of an axial force at each station.
     fn add_stiffness(
         &self,
@@ -89,11 +97,7 @@ impl PrestrainTerm for CablePrestrain {
     }
 
     fn add_elastic(&self, at: &Local<'_>, r: &mut [f64]) {
-        let q = vectors(at.q);
-        for (station, [strain, _]) in self.stations(at) {
-            let force = self.stretch(station, &q).tangent * (station.weight * self.force([strain, 0.0]));
-            add(station, &force, r);
-        }
+        self.add_forces(at, |[strain, _]| self.force([strain, 0.0]), r);
     }
 
     fn parts(&self, at: &Local<'_>) -> StrainEnergy {
@@ -107,11 +111,7 @@ impl Term for CablePrestrain {
     }
 
     fn residual(&self, at: &Local<'_>, r: &mut [f64]) {
-        let q = vectors(at.q);
-        for (station, strain) in self.stations(at) {
-            let force = self.stretch(station, &q).tangent * (station.weight * self.force(strain));
-            add(station, &force, r);
-        }
+        self.add_forces(at, |strain| self.force(strain), r);
     }
 
     fn rounding(&self, at: &Local<'_>, floor: &mut [f64]) {

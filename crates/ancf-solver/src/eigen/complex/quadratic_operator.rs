@@ -6,7 +6,7 @@ use crate::eigen::full_rows::FullRows;
 use crate::eigen::modes::Mode;
 use crate::eigen::operator::EigenError;
 use crate::equations::{EquationsOfMotion, State, Weights};
-use crate::factor::GeneralLu;
+use crate::factor::{GeneralLu, add_skew_product};
 use crate::newton::Interrupt;
 use crate::sparse::SparseMatrix;
 
@@ -110,7 +110,7 @@ impl<'a> QuadraticOperator<'a> {
     /// Computes C x.
     pub(super) fn damping_times(&self, x: &DVector<f64>) -> DVector<f64> {
         let mut product = self.of_coordinates(self.damping.times(x.as_slice()));
-        add_skew(&self.skew_damping, x, &mut product);
+        add_skew_product(&self.skew_damping, x.as_slice(), product.as_mut_slice());
         product
     }
 
@@ -127,7 +127,7 @@ impl<'a> QuadraticOperator<'a> {
         let mut columns = self.eom.stiffness_products(self.s, std::slice::from_ref(&strained)).products;
         let mut product = columns.swap_remove(0);
         self.rigid.remove_from_force(&mut product);
-        add_skew(&self.skew_stiffness, x, &mut product);
+        add_skew_product(&self.skew_stiffness, x.as_slice(), product.as_mut_slice());
         product += self.damping_times(x) * self.shift + self.mass_times(x) * self.shift.powi(2);
         self.constraints.iter().for_each(|&(row, c, value)| product[row] += value * x[c]);
         product
@@ -174,13 +174,6 @@ impl<'a> QuadraticOperator<'a> {
         let mut whole = vec![0.0; self.mass.diagonal().len()];
         whole[..x.len()].copy_from_slice(x.as_slice());
         self.mass.square(&whole).max(0.0).sqrt()
-    }
-}
-
-fn add_skew(entries: &SkewEntries, x: &DVector<f64>, product: &mut DVector<f64>) {
-    for &(i, j, value) in entries {
-        product[i] += value * x[j];
-        product[j] -= value * x[i];
     }
 }
 

@@ -2,7 +2,7 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::eigen::operator::EigenError;
 use crate::equations::{EquationsOfMotion, State, Weights};
-use crate::factor::{Factor, is_zero_on_motions};
+use crate::factor::{Factor, add_skew_product, is_zero_on_motions};
 use crate::sparse::SparseMatrix;
 use crate::vectors::PseudoRandom;
 
@@ -91,10 +91,7 @@ pub fn skew_ratio(eom: &dyn EquationsOfMotion, matrix: SparseMatrix, s: &State) 
 /// Computes A x.
 fn skew_product(entries: &[(usize, usize, f64)], x: &DVector<f64>) -> DVector<f64> {
     let mut product = DVector::zeros(x.len());
-    for &(i, j, value) in entries {
-        product[i] += value * x[j];
-        product[j] -= value * x[i];
-    }
+    add_skew_product(entries, x.as_slice(), product.as_mut_slice());
     product
 }
 

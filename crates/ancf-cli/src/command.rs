@@ -14,7 +14,8 @@ use crate::results::{
 };
 use crate::shell::{COMPLETIONS_EXAMPLES, CompletionsArguments, MAN_EXAMPLES, ManArguments};
 use crate::simulation::{
-    RESUME_EXAMPLES, RUN_EXAMPLES, ResumeArguments, RunArguments, STUDY_EXAMPLES, StudyArguments,
+    GRADIENTS_EXAMPLES, GradientsArguments, RESUME_EXAMPLES, RUN_EXAMPLES, ResumeArguments, RunArguments,
+    STUDY_EXAMPLES, StudyArguments,
 };
 use crate::terminal::Ended;
 
@@ -48,6 +49,9 @@ pub enum Command {
     /// Run a model in many cases, with parameters from lists, ranges and distributions, into a table.
     #[command(after_help = STUDY_EXAMPLES)]
     Study(StudyArguments),
+    /// Differentiate equilibria, frequencies or critical loads with respect to numbers of the model.
+    #[command(after_help = GRADIENTS_EXAMPLES)]
+    Gradients(GradientsArguments),
     /// Write the model as a co-simulation FMU (FMI 2.0 or 3.0), for other simulation programs.
     #[command(after_help = FMU_EXAMPLES)]
     Fmu(FmuArguments),
@@ -80,6 +84,7 @@ impl Command {
             Self::Run(arguments) => arguments.json,
             Self::Resume(arguments) => arguments.json,
             Self::Study(arguments) => arguments.json,
+            Self::Gradients(arguments) => arguments.json,
             Self::Plot(arguments) => arguments.json,
             _ => false,
         }
@@ -99,6 +104,7 @@ impl Command {
             Self::Plot(arguments) => arguments.run(),
             Self::Paraview(arguments) => arguments.run(),
             Self::Study(arguments) => arguments.run(),
+            Self::Gradients(arguments) => arguments.run(),
             Self::Schema => Ok(print_schema()),
             Self::Paper(arguments) => arguments.run(),
             Self::Verify(arguments) => arguments.run(),

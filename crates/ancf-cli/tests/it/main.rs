@@ -8,6 +8,7 @@ mod fmu;
 mod folder;
 #[cfg(target_os = "linux")]
 mod full_disk;
+mod gradients;
 mod numerics;
 mod output;
 #[cfg(feature = "figures")]

@@ -20,6 +20,7 @@ from ancf.analysis import (
     statics,
 )
 from ancf.errors import AnalysisError, AnalysisWarning, Fault, ModelError
+from ancf.gradients import Gradients, gradients
 from ancf.meshes import grid_mesh, mesh_from_meshio
 from ancf.model import *  # noqa: F403
 from ancf.names import unknown as _unknown
@@ -34,6 +35,7 @@ __all__ = [
     "AnalysisError",
     "AnalysisWarning",
     "Fault",
+    "Gradients",
     "Instant",
     "LinearModel",
     "ModelError",
@@ -46,6 +48,7 @@ __all__ = [
     "__version__",
     "buckling",
     "check",
+    "gradients",
     "grid_mesh",
     "load",
     "mesh_from_meshio",

@@ -43,7 +43,7 @@ pub(super) fn linear_data<'py>(py: Python<'py>, model: &LinearModel) -> PyResult
     Ok(data)
 }
 
-fn array<'py>(py: Python<'py>, matrix: &DMatrix<f64>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+pub(super) fn array<'py>(py: Python<'py>, matrix: &DMatrix<f64>) -> PyResult<Bound<'py, PyArray2<f64>>> {
     let (rows, columns) = matrix.shape();
     let numbers = matrix.transpose().as_slice().to_vec();
     PyArray1::from_vec(py, numbers).reshape([rows, columns])

@@ -1,6 +1,7 @@
 //! Simulations, and the states of their runs.
 
 mod frames;
+mod gradients;
 mod keep;
 mod linear;
 pub(crate) mod load;

@@ -7,17 +7,18 @@ use std::sync::Arc;
 
 use ancf::model::{Analysis, Body, ModelErrors, Units};
 use ancf::{
-    Column, Error, GivenState, Model, RefinedModel, RefinementHistory, StartState, Summary, can_refine,
-    refine,
+    Column, Error, GivenState, GradientError, Model, Parameter, RefinedModel, RefinementHistory, StartState,
+    Summary, can_refine, gradients, refine,
 };
 use ancf_results::given_state;
 use ancf_surface::BodySurfaces;
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
-use pyo3::exceptions::{PyMemoryError, PyRuntimeError, PyValueError};
+use pyo3::exceptions::{PyKeyboardInterrupt, PyMemoryError, PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 use toml::Value;
 
+use super::gradients::gradients_data;
 use super::keep::Keep;
 use super::recorder::{RecordedSimulation, RunRecorder};
 use super::states::{AssembledModel, States};
@@ -146,6 +147,30 @@ impl Simulation {
             units: self.units.clone(),
             signals: self.signals.clone(),
         })
+    }
+
+    /// Returns the derivatives of the results with respect to numbers of the model, each a path with the size of its change.
+    fn gradients<'py>(
+        &self,
+        py: Python<'py>,
+        parameters: Vec<(String, Option<f64>)>,
+    ) -> PyResult<Bound<'py, PyDict>> {
+        let parameters: Vec<Parameter> =
+            parameters.into_iter().map(|(path, size)| Parameter { path, size }).collect();
+        self.signals.begin(None);
+        let interrupt = self.signals.interrupt();
+        let found = detached(py, || gradients(&self.supplied, &parameters, &interrupt));
+        if let Some(error) = self.signals.take() {
+            return Err(error);
+        }
+        match found {
+            Ok(found) => gradients_data(py, &found),
+            Err(GradientError::Model(errors)) => Err(model_error(py, &errors, None)),
+            Err(GradientError::Interrupted) => {
+                Err(PyKeyboardInterrupt::new_err("the computation of gradients was interrupted"))
+            }
+            Err(error @ GradientError::Failed { .. }) => Err(PyRuntimeError::new_err(error.to_string())),
+        }
     }
 }
 

@@ -15,3 +15,4 @@ pub use buckling::{CriticalLoad, CriticalLoads, LoadDirection, buckling};
 pub use complex::{ComplexMode, DampedMode, DampedModes, damped_modes, nonconservative_modes, skew_ratio};
 pub use modes::{EigenModes, Mode, SturmCount, modes, modes_memory};
 pub use operator::EigenError;
+pub use softening::softening;

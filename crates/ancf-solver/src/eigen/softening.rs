@@ -10,7 +10,7 @@ const MIN_WORK: f64 = 1e-12;
 
 /// Computes −K_g, with zeros in place of rounding errors: entries that change by their own size in a further step of refinement
 /// of the response. Second, the response of the coordinates and multipliers.
-pub(super) fn softening(
+pub fn softening(
     eom: &dyn EquationsOfMotion,
     s: &State,
     stiffness: &SparseMatrix,

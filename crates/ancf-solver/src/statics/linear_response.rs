@@ -41,7 +41,7 @@ pub(crate) fn linear_response(
 /// Solves K z = f with the factors of K; `None` if the solution is not accurate.
 ///
 /// The skew part of the stiffness, of loads without a potential, is included.
-pub(crate) fn stiffness_solution(
+pub fn stiffness_solution(
     eom: &dyn EquationsOfMotion,
     s: &State,
     (matrix, factor): (&SparseMatrix, &mut Factor),

@@ -13,7 +13,7 @@ mod stability;
 
 pub use arc_length::ArcLength;
 pub use equilibrium::Equilibrium;
-pub use linear_response::EquilibriumResponse;
+pub use linear_response::{EquilibriumResponse, stiffness_solution};
 pub use load_rates::LoadRates;
 pub use load_stepper::{LoadIncrements, LoadStepper, Response, UnstablePolicy};
 pub use path_point::{ArcLengthSteps, EndConditions, EndReason, LimitPoint, PathPoint};

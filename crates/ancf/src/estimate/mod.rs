@@ -32,6 +32,6 @@ pub(crate) use gap_field::GapField;
 pub(crate) use mesh_comparison::MeshComparison;
 pub(crate) use motions::{EstimateHistory, MotionEstimate, has_mesh};
 pub use motions::{MotionErrors, ProbeErrors};
-pub(crate) use movement::coordinate_sizes;
+pub(crate) use movement::{coordinate_sizes, moved};
 pub use refinement::{MeshStep, Refinement, RefinementStep};
 pub use value_errors::{ProbeError, ValueError};

@@ -43,7 +43,7 @@ pub(crate) fn coordinate_sizes(model: &Model, assembly: &Assembly) -> Vec<f64> {
 }
 
 /// Returns a state that is moved by a multiple of a movement of the coordinates, and of the multipliers if it has any.
-pub(super) fn moved(state: &State, movement: &[f64], factor: f64) -> State {
+pub(crate) fn moved(state: &State, movement: &[f64], factor: f64) -> State {
     let mut moved = state.clone();
     let (q, lambda) = movement.split_at(state.q.len());
     moved.q.iter_mut().zip(q).for_each(|(x, z)| *x += factor * z);

@@ -11,6 +11,7 @@ mod dynamics;
 mod elements;
 mod errors;
 mod examples;
+mod gradients;
 mod invariance;
 mod joints;
 mod loads;

@@ -7,7 +7,7 @@ use std::process::Stdio;
 use crate::folder::{CommandOutput, TestFolder};
 
 /// Arguments of commands that print on standard output, in the folder of [`folder`].
-const PRINTING: [&[&str]; 22] = [
+const PRINTING: [&[&str]; 24] = [
     &["new", "-"],
     &["check", "model.toml"],
     &["check", "model.toml", "--json"],
@@ -24,6 +24,8 @@ const PRINTING: [&[&str]; 22] = [
     &["paraview", "out"],
     &["study", "study.toml", "-o", "cases"],
     &["study", "study.toml", "-o", "cases", "--json"],
+    &["gradients", "model.toml", "-p", "materials.steel.young"],
+    &["gradients", "model.toml", "-p", "materials.steel.young", "--json"],
     &["scaled", "model.toml"],
     &["schema"],
     &["verify", "elastica", "-o", "verify", "--json"],

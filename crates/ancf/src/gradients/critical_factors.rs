@@ -1,0 +1,133 @@
+use std::ops::Range;
+
+use ancf_solver::eigen::{EigenError, LoadDirection, buckling, softening};
+use ancf_solver::equations::{EquationsOfMotion, State, Weights};
+use ancf_solver::factor::Factor;
+use ancf_solver::newton::Interrupt;
+use ancf_solver::sparse::SparseMatrix;
+use nalgebra::DVector;
+
+use super::differences::Derivatives;
+use super::eigenvalue_groups::EigenvalueGroups;
+use crate::assembly::Assembly;
+use crate::failure::RunFailure;
+
+/// Number of factors beyond the requested ones, which show whether the last ones are equal.
+const FURTHER: usize = 2;
+/// Largest residual of a buckling shape.
+const MAX_RESIDUAL: f64 = 1e-6;
+
+/// Critical load factors of a state.
+pub(super) struct CriticalFactors {
+    factors: Vec<f64>,
+    /// Shapes with their reactions.
+    vectors: Vec<DVector<f64>>,
+    groups: EigenvalueGroups,
+    /// Number of factors whose derivatives are computed.
+    count: usize,
+    /// Squares xᵀ S x with the loss of stiffness S of the loads.
+    softened: Vec<f64>,
+}
+
+impl CriticalFactors {
+    /// Computes the critical factors of a state.
+    ///
+    /// # Errors
+    /// If the factors are not found or not accurate.
+    pub(super) fn new(
+        assembly: &Assembly,
+        s: &State,
+        (count, sense): (usize, LoadDirection),
+        interrupt: &Interrupt,
+    ) -> Result<Self, RunFailure> {
+        let system = &assembly.system;
+        let found = buckling(system, system.matrix(), s, count + FURTHER, sense, interrupt)?.loads;
+        if found.iter().take(count).any(|load| load.residual > MAX_RESIDUAL) {
+            return Err(EigenError::Unresolved.into());
+        }
+        let factors: Vec<f64> = found.iter().map(|load| load.factor).collect();
+        let mut groups = EigenvalueGroups::new(&factors);
+        let count = count.min(factors.len());
+        groups.groups.retain(|group| group.start < count);
+        let mut parts = Parts::new(assembly, s)?;
+        let vectors = found.iter().map(|load| parts.with_reactions(&load.shape, load.factor));
+        let vectors = vectors.collect::<Result<Vec<_>, _>>()?;
+        let softened = groups.vectors(&vectors).map(|(_, z)| square(&parts.softening, &z)).collect();
+        Ok(Self { factors, vectors, groups, count, softened })
+    }
+
+    /// Names of the quantities.
+    pub(super) fn names(&self) -> Vec<String> {
+        (0..self.count).map(|number| format!("factor[{number}]")).collect()
+    }
+
+    pub(super) fn values(&self) -> &[f64] {
+        &self.factors[..self.count]
+    }
+
+    /// Groups of equal results, by their rows.
+    pub(super) fn equal(&self) -> impl Iterator<Item = Range<usize>> + '_ {
+        self.groups
+            .groups
+            .iter()
+            .filter(|group| group.len() > 1)
+            .map(|group| group.start..group.end.min(self.count))
+    }
+
+    /// Computes xᵀ (K − s S) x + 2 μᵀ Φ_q x of the shapes and reactions, NaN if the stiffness is singular.
+    pub(super) fn squares(&self, assembly: &Assembly, s: &State) -> Vec<f64> {
+        let (numbers, vectors): (Vec<_>, Vec<_>) = self.groups.vectors(&self.vectors).unzip();
+        let Ok(parts) = Parts::new(assembly, s) else { return vec![f64::NAN; numbers.len()] };
+        let elastic = assembly.system.stiffness_products(s, &vectors).squares;
+        let terms = numbers.into_iter().zip(&vectors).zip(elastic);
+        let sum = |((number, z), elastic): ((usize, &DVector<f64>), f64)| {
+            let mut constraints = 0.0;
+            for (multiplier, c, entry) in parts.stiffness.constraints() {
+                constraints += z[multiplier] * entry * z[c];
+            }
+            elastic + 2.0 * constraints - self.factors[number] * square(&parts.softening, z)
+        };
+        terms.map(sum).collect()
+    }
+
+    /// Computes the derivatives of the factors, and their errors, from those of the squares.
+    pub(super) fn derivatives(&self, forms: &Derivatives) -> Vec<[f64; 2]> {
+        self.groups.derivatives(forms, &self.softened).into_iter().take(self.count).collect()
+    }
+}
+
+/// Stiffness K of a state with its factors, and its loss S by the loads at load factor one.
+struct Parts {
+    stiffness: SparseMatrix,
+    factor: Factor,
+    softening: SparseMatrix,
+}
+
+impl Parts {
+    fn new(assembly: &Assembly, s: &State) -> Result<Self, EigenError> {
+        let system = &assembly.system;
+        let mut stiffness = system.matrix();
+        system.tangent(s, Weights::STIFFNESS, &mut stiffness);
+        let mut factor = Factor::new(stiffness.pattern())?;
+        factor.factorise(&stiffness)?;
+        let (softening, _) = softening(system, s, &stiffness, &mut factor)?;
+        Ok(Self { stiffness, factor, softening })
+    }
+
+    /// Appends the reactions μ of a shape, K x + Φ_qᵀ μ = s S x, to the shape.
+    fn with_reactions(&mut self, shape: &[f64], factor: f64) -> Result<DVector<f64>, EigenError> {
+        let n = shape.len();
+        let mut z = shape.to_vec();
+        z.resize(self.stiffness.pattern().size(), 0.0);
+        let mut solution = self.softening.times(&z);
+        solution[n..].fill(0.0);
+        solution.iter_mut().for_each(|force| *force *= factor);
+        self.factor.solve(&self.stiffness, &mut solution)?;
+        z[n..].copy_from_slice(&solution[n..]);
+        Ok(DVector::from_vec(z))
+    }
+}
+
+fn square(matrix: &SparseMatrix, z: &DVector<f64>) -> f64 {
+    matrix.times(z.as_slice()).iter().zip(z).map(|(product, z)| product * z).sum()
+}

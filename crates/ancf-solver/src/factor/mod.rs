@@ -24,5 +24,6 @@ pub use null_space::NullSpace;
 pub(crate) use products::Products;
 pub(crate) use scaled_lu::GeneralLu;
 pub(crate) use skew_form::is_zero_on_motions;
-pub(crate) use skew_part::{add_skew_product, solve_with_skew_part};
+pub use skew_part::add_skew_product;
+pub(crate) use skew_part::solve_with_skew_part;
 pub use sparse_row::{SparseRow, SparseVector, sparse_row};

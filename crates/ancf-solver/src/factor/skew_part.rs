@@ -78,7 +78,7 @@ pub(crate) fn solve_with_skew_part(
 }
 
 /// Adds A x for a skew matrix A with the given lower entries.
-pub(crate) fn add_skew_product(entries: &[(usize, usize, f64)], x: &[f64], product: &mut [f64]) {
+pub fn add_skew_product(entries: &[(usize, usize, f64)], x: &[f64], product: &mut [f64]) {
     for &(i, j, value) in entries {
         product[i] += value * x[j];
         product[j] -= value * x[i];

@@ -11,6 +11,8 @@ pub(super) struct DifferencePair {
 /// Derivatives of functions with their estimated errors.
 pub(super) struct Derivatives {
     pub(super) values: Vec<f64>,
+    /// Values of less extrapolation, whose differences are the estimated errors.
+    pub(super) others: Vec<f64>,
     pub(super) errors: Vec<f64>,
 }
 
@@ -27,10 +29,12 @@ const LINEAR: usize = 4;
 /// Source: Ridders (1982).
 pub(super) fn extrapolated(pairs: &[DifferencePair]) -> Derivatives {
     let count = pairs.first().map_or(0, |pair| pair.values[0].len());
-    let (values, errors) = (0..count).map(|i| extrapolated_component(pairs, i)).unzip();
-    Derivatives { values, errors }
+    let (values, others): (Vec<f64>, Vec<f64>) = (0..count).map(|i| extrapolated_component(pairs, i)).unzip();
+    let errors = values.iter().zip(&others).map(|(value, other)| (value - other).abs()).collect();
+    Derivatives { values, others, errors }
 }
 
+/// Returns the derivative of a function, and the one of its two neighbours that differs more.
 fn extrapolated_component(pairs: &[DifferencePair], i: usize) -> (f64, f64) {
     let mut best = (f64::NAN, f64::INFINITY);
     let mut above: Vec<f64> = Vec::new();
@@ -42,10 +46,11 @@ fn extrapolated_component(pairs: &[DifferencePair], i: usize) -> (f64, f64) {
             let ratio = (pairs[row - column].step / pair.step).powi(2);
             let (finer, coarser) = (own[column - 1], above[column - 1]);
             let value = finer + (finer - coarser) / (ratio - 1.0);
-            let error = (value - finer).abs().max((value - coarser).abs());
+            let farther = if (value - finer).abs() > (value - coarser).abs() { finer } else { coarser };
             own.push(value);
-            if error < best.1 {
-                best = (value, error);
+            let (known, other): (f64, f64) = best;
+            if known.is_nan() || (value - farther).abs() < (known - other).abs() {
+                best = (value, farther);
             }
         }
         above = own;

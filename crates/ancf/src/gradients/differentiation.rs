@@ -167,7 +167,7 @@ impl Differentiation<'_> {
         let mut found = self.begin(results);
         self.each(&mut found, |models| {
             let Some(change) = equilibrium.change(models)? else { return Ok(None) };
-            let Derivatives { values, errors } =
+            let Derivatives { values, errors, .. } =
                 equilibrium.derivatives(models, &change, |assembly, s| kept(row(assembly, s)));
             Ok(Some(values.into_iter().zip(errors).map(|(value, error)| [value, error]).collect()))
         })?;

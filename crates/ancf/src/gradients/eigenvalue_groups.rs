@@ -92,7 +92,8 @@ mod tests {
         let groups = EigenvalueGroups::new(&[1.0, 2.0, 2.0 + 1e-12, 3.0]);
         assert_eq!(groups.groups, [0..1, 1..3, 3..4]);
         // The form [2, 1; 1, 2] has the eigenvalues 1 and 3; the sum of both vectors has the square 6.
-        let forms = Derivatives { values: vec![5.0, 2.0, 6.0, 2.0, -1.0], errors: vec![0.0; 5] };
+        let values = vec![5.0, 2.0, 6.0, 2.0, -1.0];
+        let forms = Derivatives { others: values.clone(), values, errors: vec![0.0; 5] };
         let found = groups.derivatives(&forms, &[1.0, 1.0, 2.0, 1.0, 1.0]);
         let exact = [5.0, 1.0, 3.0, -1.0];
         found.iter().zip(exact).for_each(|([value, _], exact)| assert!((value - exact).abs() < 1e-14));

@@ -1,5 +1,5 @@
 use ancf_solver::equations::{EquationsOfMotion, State, Weights};
-use ancf_solver::factor::Factor;
+use ancf_solver::factor::{Factor, add_skew_product};
 use ancf_solver::sparse::SparseMatrix;
 use ancf_solver::statics::stiffness_solution;
 
@@ -22,11 +22,18 @@ pub(super) struct AccurateEquilibrium<'a> {
     factor: Factor,
 }
 
+/// Derivative of the residual along a change of an equilibrium.
+struct ResidualDerivative {
+    derivatives: Derivatives,
+    /// True if it consists of rounding errors.
+    is_rounding: bool,
+}
+
 /// Derivative z of the coordinates and multipliers of an equilibrium with respect to a number of the model.
 pub(super) struct EquilibriumChange {
     pub(super) z: Vec<f64>,
-    /// Last correction, which bounds the error of z.
-    correction: Vec<f64>,
+    /// Estimated error of z.
+    deviation: Vec<f64>,
 }
 
 impl<'a> AccurateEquilibrium<'a> {
@@ -73,10 +80,11 @@ impl<'a> AccurateEquilibrium<'a> {
         solved.ok_or_else(|| GradientError::failed(SINGULAR))
     }
 
-    /// Computes the change of the equilibrium with a number p of the model: r(x + h z, p + h) = o(h) for the residual r.
+    /// Computes the change z of the equilibrium with a number p of the model: r(x + h z, p + h) = o(h) for the residual r.
     ///
-    /// The first solution has the derivative of the residual at the fixed state, z = −K⁻¹ ∂r/∂p. Corrections have that along z. It is
-    /// the sum of nearly equal parts at the fixed state, whose rounding errors the corrections remove.
+    /// z = −K⁻¹ ∂r/∂p has few rounding errors: those of equal positions cancel in differences at a fixed state. The stiffness may lack
+    /// small parts, of forces that depend on reactions. Corrections by the derivative of the residual along z remove their effect, if
+    /// the derivative exceeds rounding errors.
     ///
     /// `None` if forces or constraints have a kink.
     ///
@@ -87,22 +95,36 @@ impl<'a> AccurateEquilibrium<'a> {
         models: &VariedModels,
     ) -> Result<Option<EquilibriumChange>, GradientError> {
         let size = self.state.q.len() + self.state.lambda.len();
-        let (mut z, mut last, mut kept) = (vec![0.0; size], f64::INFINITY, vec![0.0; size]);
+        let fixed = extrapolated(&self.residuals(models, &vec![0.0; size]));
+        let mut z = self.response(&fixed.values.iter().map(|r| -r).collect::<Vec<_>>())?;
+        // The errors of the extrapolation and of the solution.
+        let mut rest = self.product(&z);
+        rest.iter_mut().zip(&fixed.others).for_each(|(rest, other)| *rest += other);
+        let mut deviation = self.response(&rest)?;
+        let mut last = f64::INFINITY;
         for _ in 0..CORRECTIONS {
-            let correction = self.response(&extrapolated(&self.residuals(models, &z)).values)?;
-            let found = largest(&correction);
-            let is_better = found < PROGRESS * last;
-            if is_better {
-                z.iter_mut().zip(&correction).for_each(|(z, correction)| *z -= correction);
-                last = found;
-            }
-            kept = correction;
-            if !is_better || found == 0.0 {
+            let Some(along) = self.derivative_along(models, &z) else { return Ok(None) };
+            if along.is_rounding {
                 break;
             }
+            let correction = self.response(&along.derivatives.values)?;
+            let size = largest(&correction);
+            if size >= PROGRESS * last {
+                deviation = correction;
+                break;
+            }
+            z.iter_mut().zip(&correction).for_each(|(z, correction)| *z -= correction);
+            deviation = self.response(&along.derivatives.others)?;
+            last = size;
         }
-        let change = EquilibriumChange { z, correction: kept };
-        Ok((!self.has_kink(models, &change.z)).then_some(change))
+        Ok(Some(EquilibriumChange { z, deviation }))
+    }
+
+    /// Computes K z with the skew part of the stiffness.
+    fn product(&self, z: &[f64]) -> Vec<f64> {
+        let mut product = self.matrix.times(z);
+        add_skew_product(&self.assembly.system.skew_stiffness(&self.state), z, &mut product);
+        product
     }
 
     /// Residuals of changed models in the states x + h z.
@@ -110,17 +132,37 @@ impl<'a> AccurateEquilibrium<'a> {
         models.pairs(|assembly, h| self.residual(assembly, &moved(&self.state, z, h)))
     }
 
-    /// True if residuals have a kink along the change of the equilibrium.
-    fn has_kink(&self, models: &VariedModels, z: &[f64]) -> bool {
-        let mut rounding = vec![0.0; z.len()];
+    /// Bounds the effect of the rounding errors of the coordinates on the residual, of their largest one on the constraints.
+    fn rounding_of_coordinates(&self) -> Vec<f64> {
+        let State { q, lambda, .. } = &self.state;
+        let coordinates: Vec<f64> = q.iter().chain(lambda).copied().collect();
+        let mut rounding = self.matrix.magnitudes(&coordinates);
+        let of_largest = self.matrix.magnitudes(&vec![largest(q); rounding.len()]);
+        rounding[q.len()..].copy_from_slice(&of_largest[q.len()..]);
+        rounding.iter_mut().for_each(|bound| *bound *= f64::EPSILON);
+        rounding
+    }
+
+    /// Computes the derivative of the residual along the change of the equilibrium; `None` at a kink.
+    fn derivative_along(&self, models: &VariedModels, z: &[f64]) -> Option<ResidualDerivative> {
+        let mut rounding = self.rounding_of_coordinates();
         models.pairs(|assembly, h| {
             let mut own = vec![0.0; z.len()];
             assembly.system.rounding(&moved(&self.state, z, h), &mut own);
             rounding.iter_mut().zip(own).for_each(|(bound, own)| *bound = f64::max(*bound, ROUNDING * own));
             Vec::new()
         });
-        let centre = self.residual(self.assembly, &self.state);
-        kink(&self.residuals(models, z), &centre, &rounding).is_some()
+        let (centre, pairs) = (self.residual(self.assembly, &self.state), self.residuals(models, z));
+        if kink(&pairs, &centre, &rounding).is_some() {
+            return None;
+        }
+        let derivatives = extrapolated(&pairs);
+        let smallest = pairs.last().map_or(f64::INFINITY, |pair| pair.step);
+        let bound = |(rounding, error): (&f64, &f64)| rounding / smallest + error;
+        let mut bounds = rounding.iter().zip(&derivatives.errors).map(bound);
+        let is_rounding =
+            derivatives.values.iter().all(|value| bounds.next().is_some_and(|bound| value.abs() <= bound));
+        Some(ResidualDerivative { derivatives, is_rounding })
     }
 
     /// Computes the derivatives of functions of the equilibrium and the model, given a number that changes.
@@ -132,14 +174,13 @@ impl<'a> AccurateEquilibrium<'a> {
         change: &EquilibriumChange,
         mut of: impl FnMut(&Assembly, &State) -> Vec<f64>,
     ) -> Derivatives {
-        let EquilibriumChange { z, correction } = change;
+        let EquilibriumChange { z, deviation } = change;
         let mut along =
             |z: &[f64]| extrapolated(&models.pairs(|assembly, h| of(assembly, &moved(&self.state, z, h))));
         let mut found = along(z);
-        if correction.iter().any(|x| *x != 0.0) {
-            let corrected: Vec<f64> =
-                z.iter().zip(correction).map(|(z, correction)| z - correction).collect();
-            let other = along(&corrected).values;
+        if deviation.iter().any(|x| *x != 0.0) {
+            let deviating: Vec<f64> = z.iter().zip(deviation).map(|(z, deviation)| z - deviation).collect();
+            let other = along(&deviating).values;
             for ((error, value), other) in found.errors.iter_mut().zip(&found.values).zip(other) {
                 *error += (value - other).abs();
             }

@@ -31,7 +31,7 @@ const INACCURATE: f64 = 1e-4;
 /// Relative difference of the derivatives of equal eigenvalues above which they differ.
 const DIFFERENT: f64 = 1e-6;
 /// Part of the ratio of a result and the parameter that counts as its derivative.
-const LEAST: f64 = 1e-2;
+const LEAST: f64 = 0.1;
 
 impl Gradients {
     /// Replaces the derivatives with respect to a parameter by those with smaller errors, or all of them unless they are known.

@@ -46,7 +46,6 @@ fn kinks_of_forces() {
             kind = "point_on_line"
             name = "guide"
             a = {{ body = "block", at = "center" }}
-            b = {{ point = [0, 0, 0] }}
             axis = [0, 0, 1]
             [[probes]]
             name = "block"

@@ -98,8 +98,11 @@ def gradients(model: ModelLike, parameters: str | Iterable[str] | Mapping[str, f
         For each of the `warnings`, such as equal frequencies or inaccurate derivatives.
 
     """
-    paths = [parameters] if isinstance(parameters, str) else parameters
-    sizes = list(paths.items()) if isinstance(paths, Mapping) else [(path, None) for path in paths]
+    sizes: list[tuple[str, float | None]]
+    if isinstance(parameters, Mapping):
+        sizes = list(parameters.items())
+    else:
+        sizes = [(path, None) for path in ([parameters] if isinstance(parameters, str) else parameters)]
     simulation = _ancf.Simulation(data(model))
     try:
         found = Gradients(**simulation.gradients(sizes))

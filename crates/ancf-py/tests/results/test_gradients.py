@@ -1,12 +1,13 @@
 """Derivatives of results with respect to numbers of a model."""
 
-import ancf
 import numpy as np
 import pytest
+
+import ancf
 from ancf import AnalysisError, AnalysisWarning, ModelError
 
 
-def cantilever(analysis: object, width: float = 0.02) -> ancf.Model:
+def cantilever(analysis: ancf.Statics | ancf.Modes | ancf.Dynamics, width: float = 0.02) -> ancf.Model:
     beam = ancf.Beam(
         "beam",
         from_=[0, 0, 0],

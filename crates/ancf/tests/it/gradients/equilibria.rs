@@ -135,7 +135,7 @@ fn linear_cantilever() {
 
 /// Model file of a cantilever beam with a rigid block at its end, which a spring holds, by modulus, stiffness of the spring, width of the
 /// beam and place of the centre of the block.
-fn beam_with_block([young, stiffness, width, x]: [f64; 4]) -> String {
+pub(super) fn beam_with_block([young, stiffness, width, x]: [f64; 4]) -> String {
     format!(
         r#"
         gravity = [0, 0, -9.81]

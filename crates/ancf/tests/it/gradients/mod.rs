@@ -2,6 +2,7 @@
 
 mod eigenvalues;
 mod equilibria;
+mod invariance;
 mod refusals;
 
 use ancf::{Gradients, Parameter, gradients};

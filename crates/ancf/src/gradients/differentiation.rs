@@ -1,10 +1,12 @@
+use ancf_solver::eigen::LoadDirection;
 use ancf_solver::equations::{EquationsOfMotion, State};
 use ancf_solver::newton::Interrupt;
+use ancf_solver::statics::Stability;
 use nalgebra::DMatrix;
 use toml::Value;
 
 use super::critical_factors::CriticalFactors;
-use super::differences::Derivatives;
+use super::differences::{Derivatives, extrapolated};
 use super::equilibrium::AccurateEquilibrium;
 use super::error::GradientError;
 use super::frequencies::Frequencies;
@@ -36,13 +38,13 @@ use crate::units::{Dimension, Scales};
 /// ```
 /// use ancf::{Model, Parameter, gradients};
 ///
-/// let model = Model::from_toml(
+/// let model = Model::parse(
 ///     r#"
 ///     materials.steel = { density = 7850.0, young = 2.1e11 }
 ///     sections.rod = { kind = "rectangle", width = 0.02, height = 0.01 }
 ///
 ///     [[bodies]]
-///     kind = "cable"
+///     kind = "beam"
 ///     name = "beam"
 ///     from = [0, 0, 0]
 ///     to = [1, 0, 0]
@@ -134,6 +136,9 @@ fn no_gradients(model: &Model) -> GradientError {
 /// Derivatives with respect to a number, with their errors; `None` at a kink.
 type Found = Result<Option<Vec<[f64; 2]>>, GradientError>;
 
+/// Warning of an unstable equilibrium.
+const UNSTABLE: &str = "the equilibrium is unstable: the structure would leave it";
+
 /// Sizes of the changes of a number, relative to the largest.
 const REDUCTIONS: [f64; 3] = [1.0, 1.0 / 64.0, 1.0 / 4096.0];
 
@@ -165,6 +170,10 @@ impl Differentiation<'_> {
         let of_results = columns.into_iter().zip(&is_result).filter(|(_, is_result)| **is_result);
         let results = of_results.zip(kept(values)).map(|((column, _), value)| (column, value));
         let mut found = self.begin(results);
+        let stability = Stability::new(&self.simulation.assembly.system, &equilibrium.state);
+        if stability.is_some_and(|stability| stability.unstable > 0) {
+            found.warnings.push(UNSTABLE.to_owned());
+        }
         self.each(&mut found, |models| {
             let Some(change) = equilibrium.change(models)? else { return Ok(None) };
             let Derivatives { values, errors, .. } =
@@ -206,11 +215,7 @@ impl Differentiation<'_> {
     }
 
     /// Differentiates critical load factors.
-    fn critical_factors(
-        &self,
-        count: usize,
-        sense: ancf_solver::eigen::LoadDirection,
-    ) -> Result<Gradients, GradientError> {
+    fn critical_factors(&self, count: usize, sense: LoadDirection) -> Result<Gradients, GradientError> {
         let assembly = &self.simulation.assembly;
         let state = unloaded(assembly);
         let supported = require_support(assembly, &state, self.scales());
@@ -312,5 +317,5 @@ fn at_fixed_state(
     s: &State,
     mut of: impl FnMut(&Assembly, &State) -> Vec<f64>,
 ) -> Derivatives {
-    super::differences::extrapolated(&models.pairs(|assembly, _| of(assembly, s)))
+    extrapolated(&models.pairs(|assembly, _| of(assembly, s)))
 }

@@ -11,6 +11,7 @@ use super::differences::Derivatives;
 use super::eigenvalue_groups::EigenvalueGroups;
 use crate::assembly::Assembly;
 use crate::failure::RunFailure;
+use crate::simulate::Kinks;
 
 /// Number of modes beyond the requested ones, which show whether the last ones have equal frequencies.
 const FURTHER: usize = 2;
@@ -51,6 +52,10 @@ impl Frequencies {
         let found = modes(system, system.matrix(), s, count + FURTHER, interrupt)?.modes;
         if found.iter().take(count).any(|mode| mode.residual > MAX_RESIDUAL) {
             return Err(EigenError::Unresolved.into());
+        }
+        let kinks = Kinks::new(system, s);
+        if found.iter().any(|mode| kinks.has_kink(&mode.shape)) {
+            return Err(EigenError::NotDifferentiable.into());
         }
         let vibrations: Vec<_> =
             found.iter().enumerate().filter(|(_, mode)| mode.omega_squared > 0.0).collect();

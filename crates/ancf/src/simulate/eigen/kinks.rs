@@ -8,7 +8,7 @@ const JUMP: f64 = 1e-3;
 const ROUNDING: f64 = 16.0;
 
 /// Search for kinks of the forces in a state.
-pub(super) struct Kinks<'a> {
+pub(crate) struct Kinks<'a> {
     system: &'a dyn EquationsOfMotion,
     s: &'a State,
     /// Residual in the state.
@@ -16,14 +16,14 @@ pub(super) struct Kinks<'a> {
 }
 
 impl<'a> Kinks<'a> {
-    pub(super) fn new(system: &'a dyn EquationsOfMotion, s: &'a State) -> Self {
+    pub(crate) fn new(system: &'a dyn EquationsOfMotion, s: &'a State) -> Self {
         Self { system, s, centre: residual(system, s) }
     }
 
     /// Returns true if forces have a kink along a shape: their slopes differ in both directions.
     ///
     /// The second difference over the step h is then proportional to h, and that of smooth forces to h².
-    pub(super) fn has_kink(&self, shape: &[f64]) -> bool {
+    pub(crate) fn has_kink(&self, shape: &[f64]) -> bool {
         let Self { system, s, centre } = self;
         let largest = shape.iter().fold(0.0_f64, |largest, x| largest.max(x.abs()));
         if largest == 0.0 {

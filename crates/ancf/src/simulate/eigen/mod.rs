@@ -7,4 +7,5 @@ mod kinks;
 mod natural;
 mod shapes;
 
+pub(crate) use kinks::Kinks;
 pub(crate) use shapes::{BUCKLING_COLUMNS, DAMPED_COLUMNS, MODE_COLUMNS, columns};

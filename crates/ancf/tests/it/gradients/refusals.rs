@@ -61,4 +61,7 @@ fn kinks_of_forces() {
         let derivative = super::derivative(&found, "block.z", "bodies.block.mass");
         crate::common::assertions::assert_relative("z", derivative, -10.0 / stiffness, 1e-6);
     }
+    // The stop begins at the undeformed state, about which the block vibrates.
+    let modes = text(0.0).replace("\"statics\"", "\"modes\"\n            count = 1");
+    assert!(message(&modes, "bodies.block.mass").contains("not differentiable"));
 }

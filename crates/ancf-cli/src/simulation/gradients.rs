@@ -66,10 +66,12 @@ impl GradientsArguments {
             }
         };
         found.warnings.iter().for_each(|warning| print_error(&format!("warning: {warning}")));
+        if let Some(file) = &self.output {
+            write(&found, file).with_context(|| format!("cannot write {}", file.display()))?;
+        }
         print(&table(&found));
         print_json(&GradientsJson::new(&found));
         if let Some(file) = &self.output {
-            write(&found, file).with_context(|| format!("cannot write {}", file.display()))?;
             let derivatives = count((found.quantities.len() * found.parameters.len()) as u64, "derivative");
             print_status(&format!("done: {}: {derivatives}", file.display()));
         }

@@ -77,5 +77,5 @@ def test_kinks_are_errors() -> None:
         ],
         analysis=ancf.Statics(),
     )
-    with pytest.raises(AnalysisError, match="a force has a kink there"):
+    with pytest.raises(AnalysisError, match="a stiffness has a kink there"):
         ancf.gradients(model, "bodies.block.mass")

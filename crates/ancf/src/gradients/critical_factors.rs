@@ -1,5 +1,3 @@
-use std::ops::Range;
-
 use ancf_solver::eigen::{EigenError, LoadDirection, buckling, softening};
 use ancf_solver::equations::{EquationsOfMotion, State, Weights};
 use ancf_solver::factor::Factor;
@@ -12,25 +10,23 @@ use super::eigenvalue_groups::EigenvalueGroups;
 use crate::assembly::Assembly;
 use crate::failure::RunFailure;
 
-/// Number of factors beyond the requested ones, which show whether the last ones are equal.
+/// Least number of factors beyond the requested ones, which show whether the last ones are equal.
 const FURTHER: usize = 2;
 /// Largest residual of a buckling shape.
 const MAX_RESIDUAL: f64 = 1e-6;
 
 /// Critical load factors of a state.
 pub(super) struct CriticalFactors {
+    /// Factors and shapes with their reactions, one for each row of the groups.
     factors: Vec<f64>,
-    /// Shapes with their reactions.
     vectors: Vec<DVector<f64>>,
-    groups: EigenvalueGroups,
-    /// Number of factors whose derivatives are computed.
-    count: usize,
+    pub(super) groups: EigenvalueGroups,
     /// Squares xᵀ S x with the loss of stiffness S of the loads.
     softened: Vec<f64>,
 }
 
 impl CriticalFactors {
-    /// Computes the critical factors of a state.
+    /// Computes the critical factors of a state, with all equal ones.
     ///
     /// # Errors
     /// If the factors are not found or not accurate.
@@ -41,37 +37,35 @@ impl CriticalFactors {
         interrupt: &Interrupt,
     ) -> Result<Self, RunFailure> {
         let system = &assembly.system;
-        let found = buckling(system, system.matrix(), s, count + FURTHER, sense, interrupt)?.loads;
+        let mut further = FURTHER;
+        let (found, groups) = loop {
+            let found = buckling(system, system.matrix(), s, count + further, sense, interrupt)?.loads;
+            let factors: Vec<f64> = found.iter().map(|load| load.factor).collect();
+            let groups = EigenvalueGroups::new(&factors, count.min(factors.len()));
+            if !groups.is_cut || found.len() < count + further {
+                break (found, groups);
+            }
+            further *= 4;
+        };
         if found.iter().take(count).any(|load| load.residual > MAX_RESIDUAL) {
             return Err(EigenError::Unresolved.into());
         }
-        let factors: Vec<f64> = found.iter().map(|load| load.factor).collect();
-        let mut groups = EigenvalueGroups::new(&factors);
-        let count = count.min(factors.len());
-        groups.groups.retain(|group| group.start < count);
         let mut parts = Parts::new(assembly, s)?;
-        let vectors = found.iter().map(|load| parts.with_reactions(&load.shape, load.factor));
+        let loads = || groups.numbers.iter().map(|number| &found[*number]);
+        let vectors = loads().map(|load| parts.with_reactions(&load.shape, load.factor));
         let vectors = vectors.collect::<Result<Vec<_>, _>>()?;
         let softened = groups.vectors(&vectors).map(|(_, z)| square(&parts.softening, &z)).collect();
-        Ok(Self { factors, vectors, groups, count, softened })
+        Ok(Self { factors: loads().map(|load| load.factor).collect(), vectors, groups, softened })
     }
 
-    /// Names of the quantities.
+    /// Names of the rows.
     pub(super) fn names(&self) -> Vec<String> {
-        (0..self.count).map(|number| format!("factor[{number}]")).collect()
+        self.groups.numbers.iter().map(|number| format!("factor[{number}]")).collect()
     }
 
+    /// Factors of the rows.
     pub(super) fn values(&self) -> &[f64] {
-        &self.factors[..self.count]
-    }
-
-    /// Groups of equal results, by their rows.
-    pub(super) fn equal(&self) -> impl Iterator<Item = Range<usize>> + '_ {
-        self.groups
-            .groups
-            .iter()
-            .filter(|group| group.len() > 1)
-            .map(|group| group.start..group.end.min(self.count))
+        &self.factors
     }
 
     /// Computes xᵀ (K − s S) x + 2 μᵀ Φ_q x of the shapes and reactions, NaN if the stiffness is singular.
@@ -90,9 +84,15 @@ impl CriticalFactors {
         terms.map(sum).collect()
     }
 
+    /// Returns the size of each square, as the parts xᵀ s S x.
+    pub(super) fn sizes(&self) -> Vec<f64> {
+        let rows = self.groups.vectors(&self.vectors).map(|(row, _)| row);
+        rows.zip(&self.softened).map(|(row, softened)| (self.factors[row] * softened).abs()).collect()
+    }
+
     /// Computes the derivatives of the factors, and their errors, from those of the squares.
     pub(super) fn derivatives(&self, forms: &Derivatives) -> Vec<[f64; 2]> {
-        self.groups.derivatives(forms, &self.softened).into_iter().take(self.count).collect()
+        self.groups.derivatives(forms, &self.softened)
     }
 }
 

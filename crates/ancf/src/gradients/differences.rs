@@ -23,8 +23,9 @@ const LINEAR: usize = 4;
 
 /// Returns the derivatives of functions at zero from central differences with decreasing steps, extrapolated to the step zero.
 ///
-/// Each function takes the extrapolation with the smallest estimated error, which is the difference from its two neighbours: errors of
-/// large steps decrease by extrapolation, rounding errors of small steps appear in the differences.
+/// Each function takes the extrapolation with the smallest estimated error: its difference from the extrapolations of lower order, or
+/// from that of equal order with larger steps. Errors of large steps decrease by extrapolation, rounding errors of small steps appear in
+/// the differences.
 ///
 /// Source: Ridders (1982).
 pub(super) fn extrapolated(pairs: &[DifferencePair]) -> Derivatives {
@@ -34,9 +35,9 @@ pub(super) fn extrapolated(pairs: &[DifferencePair]) -> Derivatives {
     Derivatives { values, others, errors }
 }
 
-/// Returns the derivative of a function, and the one of its two neighbours that differs more.
+/// Returns the derivative of a function, and the extrapolation whose difference is its estimated error.
 fn extrapolated_component(pairs: &[DifferencePair], i: usize) -> (f64, f64) {
-    let mut best = (f64::NAN, f64::INFINITY);
+    let mut best = (f64::NAN, f64::NAN);
     let mut above: Vec<f64> = Vec::new();
     for (row, pair) in pairs.iter().enumerate() {
         let [after, before] = &pair.values;
@@ -48,9 +49,10 @@ fn extrapolated_component(pairs: &[DifferencePair], i: usize) -> (f64, f64) {
             let value = finer + (finer - coarser) / (ratio - 1.0);
             let farther = if (value - finer).abs() > (value - coarser).abs() { finer } else { coarser };
             own.push(value);
-            let (known, other): (f64, f64) = best;
-            if known.is_nan() || (value - farther).abs() < (known - other).abs() {
-                best = (value, farther);
+            for other in [Some(farther), above.get(column).copied()].into_iter().flatten() {
+                if best.0.is_nan() || (value - other).abs() < (best.0 - best.1).abs() {
+                    best = (value, other);
+                }
             }
         }
         above = own;

@@ -6,7 +6,7 @@ use nalgebra::DMatrix;
 use toml::Value;
 
 use super::critical_factors::CriticalFactors;
-use super::differences::{Derivatives, extrapolated};
+use super::differences::{Derivatives, DifferencePair, extrapolated, kink};
 use super::equilibrium::AccurateEquilibrium;
 use super::error::GradientError;
 use super::frequencies::Frequencies;
@@ -19,8 +19,8 @@ use crate::failure::{RunFailure, require_support, unloaded};
 use crate::initial::EquilibriumSearch;
 use crate::model::{About, Analysis, Model, Statics};
 use crate::results::{AngleRates, Column, LOAD, Rows, columns};
-use crate::simulate::{Outcome, Simulation, outcome};
-use crate::units::{Dimension, Scales};
+use crate::simulate::{NO_CRITICAL_LOAD, Outcome, Simulation, outcome};
+use crate::units::Scales;
 
 /// Computes the derivatives of the results of a model with respect to its numbers.
 ///
@@ -197,20 +197,35 @@ impl Differentiation<'_> {
         let modes = modes.map_err(|failure| self.failure(failure))?;
         let rate = self.scales().time.recip();
         let values = modes.values().into_iter().map(|frequency| frequency * rate);
-        let names = modes.names().into_iter().map(|name| Column::new(name, Dimension::RATE));
+        let names = modes.names().into_iter().map(|name| Column::new(name, None));
         let mut found = self.begin(names.zip(values));
+        if modes.unstable > 0 {
+            found
+                .warnings
+                .push(format!("{} of the modes are unstable and have no frequency", modes.unstable));
+        }
+        let squares = |assembly: &Assembly, s: &State| modes.squares(assembly, s);
+        let (centre, sizes) = (squares(assembly, &state), modes.sizes());
         self.each(&mut found, |models| {
-            let squares = |assembly: &Assembly, s: &State| modes.squares(assembly, s);
-            let forms = match &mut equilibrium {
+            let (pairs, forms) = match &mut equilibrium {
                 Some(equilibrium) => {
                     let Some(change) = equilibrium.change(models)? else { return Ok(None) };
-                    equilibrium.derivatives(models, &change, squares)
+                    let forms = equilibrium.derivatives(models, &change, squares);
+                    (equilibrium.pairs(models, &change, squares), forms)
                 }
-                None => at_fixed_state(models, &state, squares),
+                None => {
+                    let pairs = unloaded_pairs(models, squares);
+                    let forms = extrapolated(&pairs);
+                    (pairs, forms)
+                }
             };
+            if has_kink(&pairs, &centre, &sizes) {
+                return Ok(None);
+            }
             Ok(Some(modes.derivatives(&forms).into_iter().map(|pair| pair.map(|x| x * rate)).collect()))
         })?;
-        found.warn_of_equal(modes.equal());
+        found.warn_of_equal(modes.groups.equal());
+        found.truncate(modes.groups.requested);
         Ok(found)
     }
 
@@ -223,13 +238,19 @@ impl Differentiation<'_> {
             CriticalFactors::new(assembly, &state, (count, sense), &self.simulation.interrupt)
         });
         let factors = factors.map_err(|failure| self.failure(failure))?;
-        let names = factors.names().into_iter().map(|name| Column::new(name, Dimension::NUMBER));
+        let names = factors.names().into_iter().map(|name| Column::new(name, None));
         let mut found = self.begin(names.zip(factors.values().iter().copied()));
+        if factors.values().is_empty() {
+            found.warnings.push(NO_CRITICAL_LOAD.to_owned());
+        }
+        let (centre, sizes) = (factors.squares(assembly, &state), factors.sizes());
         self.each(&mut found, |models| {
-            let forms = at_fixed_state(models, &state, |assembly, s| factors.squares(assembly, s));
-            Ok(Some(factors.derivatives(&forms)))
+            let pairs = unloaded_pairs(models, |assembly, s| factors.squares(assembly, s));
+            let forms = extrapolated(&pairs);
+            Ok((!has_kink(&pairs, &centre, &sizes)).then(|| factors.derivatives(&forms)))
         })?;
-        found.warn_of_equal(factors.equal());
+        found.warn_of_equal(factors.groups.equal());
+        found.truncate(factors.groups.requested);
         Ok(found)
     }
 
@@ -269,12 +290,18 @@ impl Differentiation<'_> {
     ) -> Result<(), GradientError> {
         let given = (&self.scales(), &self.simulation.assembly);
         for (column, number) in self.numbers.iter().enumerate() {
-            let mut is_known = false;
+            let (mut is_known, mut invalid) = (false, None);
             for reduction in REDUCTIONS {
                 if self.simulation.interrupt.is_set() {
                     return Err(GradientError::Interrupted);
                 }
-                let models = VariedModels::new(self.data, &number.reduced(reduction), given)?;
+                let models = match VariedModels::new(self.data, &number.reduced(reduction), given) {
+                    Ok(models) => models,
+                    Err(error) => {
+                        invalid = Some(error);
+                        continue;
+                    }
+                };
                 let Some(derivatives) = of(&models)? else { continue };
                 found.improve(column, &derivatives, is_known);
                 is_known = true;
@@ -284,9 +311,12 @@ impl Differentiation<'_> {
             }
             if !is_known {
                 let path = &number.path;
-                return Err(GradientError::failed(format!(
-                    "the equilibrium has no derivative with respect to `{path}`: a force has a kink there"
-                )));
+                let kink = || {
+                    GradientError::failed(format!(
+                        "there is no derivative with respect to `{path}`: a force or a stiffness has a kink there"
+                    ))
+                };
+                return Err(invalid.unwrap_or_else(kink));
             }
             let inaccurate = found.inaccurate(column);
             found.warnings.extend(inaccurate);
@@ -311,11 +341,19 @@ fn row(assembly: &Assembly, s: &State, scales: Scales) -> Vec<f64> {
     rows.fill(assembly, s, s.load, &[], assembly.system.energy(s), None).to_vec()
 }
 
-/// Derivatives of functions of the equations at a state whose coordinates do not depend on the model.
-fn at_fixed_state(
+/// Evaluates functions of the equations at the unloaded state, in which the joints of an assembled model are closed.
+fn unloaded_pairs(
     models: &VariedModels,
-    s: &State,
     mut of: impl FnMut(&Assembly, &State) -> Vec<f64>,
-) -> Derivatives {
-    extrapolated(&models.pairs(|assembly, _| of(assembly, s)))
+) -> Vec<DifferencePair> {
+    models.pairs(|assembly, _| of(assembly, &unloaded(assembly)))
+}
+
+/// Rounding error of a square of an eigenvector, relative to its parts.
+const ROUNDING: f64 = 1e-9;
+
+/// True if the squares of eigenvectors have a kink. `sizes` are those of their parts.
+fn has_kink(pairs: &[DifferencePair], centre: &[f64], sizes: &[f64]) -> bool {
+    let rounding: Vec<f64> = sizes.iter().map(|size| ROUNDING * size).collect();
+    kink(pairs, centre, &rounding).is_some()
 }

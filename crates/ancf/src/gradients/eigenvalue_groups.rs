@@ -1,7 +1,5 @@
 //! Derivatives of simple and of equal eigenvalues.
 
-use std::ops::Range;
-
 use nalgebra::{Cholesky, DMatrix, DVector, SymmetricEigen};
 
 use super::differences::Derivatives;
@@ -9,31 +7,55 @@ use super::differences::Derivatives;
 /// Relative difference of eigenvalues up to which they are equal.
 const EQUAL: f64 = 1e-6;
 
-/// Eigenvalues θ of A x = θ B x in ascending order of their magnitude, divided into groups of equal ones.
+/// Groups of equal eigenvalues θ of A x = θ B x, of which some are requested. Rows are the eigenvalues of these groups.
 pub(super) struct EigenvalueGroups {
-    pub(super) groups: Vec<Range<usize>>,
+    /// Numbers of the eigenvalues of the rows, in ascending order.
+    pub(super) numbers: Vec<usize>,
+    /// Rows of each group.
+    pub(super) groups: Vec<Vec<usize>>,
+    /// Number of requested rows, which are the first ones.
+    pub(super) requested: usize,
+    /// True if there may be further eigenvalues of a group.
+    pub(super) is_cut: bool,
+    is_negative: Vec<bool>,
 }
 
 impl EigenvalueGroups {
-    pub(super) fn new(values: &[f64]) -> Self {
-        let mut groups: Vec<Range<usize>> = Vec::new();
-        for (i, value) in values.iter().enumerate() {
-            match groups.last_mut() {
-                Some(group) if (value - values[group.start]).abs() <= EQUAL * value.abs() => {
-                    group.end = i + 1;
-                }
-                _ => groups.push(i..i + 1),
+    /// Groups eigenvalues by increasing magnitude, the first `requested` of which are requested.
+    pub(super) fn new(values: &[f64], requested: usize) -> Self {
+        let is_equal = |a: f64, b: f64| (a - b).abs() <= EQUAL * a.abs();
+        let mut groups: Vec<Vec<usize>> = Vec::new();
+        for (number, value) in values.iter().enumerate() {
+            match groups.iter_mut().find(|group| is_equal(values[group[0]], *value)) {
+                Some(group) => group.push(number),
+                None if number < requested => groups.push(vec![number]),
+                None => {}
             }
         }
-        Self { groups }
+        let mut numbers: Vec<usize> = groups.concat();
+        numbers.sort_unstable();
+        // The last value of each sign may have further equal ones.
+        let last = |sign: bool| values.iter().rposition(|value| (*value < 0.0) == sign);
+        let is_cut = [last(false), last(true)].into_iter().flatten().any(|last| numbers.contains(&last));
+        let row = |number: &usize| numbers.partition_point(|own| own < number);
+        let groups = groups.iter().map(|group| group.iter().map(row).collect()).collect();
+        let is_negative = numbers.iter().map(|number| values[*number] < 0.0).collect();
+        Self { requested: requested.min(values.len()), numbers, groups, is_cut, is_negative }
     }
 
-    /// Pairs (i, j), i ≤ j, of each group. The squares of x_i + x_j, or of x_i for i = j, determine the forms of the group.
+    /// Rows of each group of several eigenvalues.
+    pub(super) fn equal(&self) -> impl Iterator<Item = &[usize]> {
+        self.groups.iter().filter(|group| group.len() > 1).map(Vec::as_slice)
+    }
+
+    /// Pairs (i, j) of rows of each group. The squares of x_i + x_j, or of x_i for i = j, determine the forms of the group.
     fn pairs(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
-        self.groups.iter().flat_map(|group| group.clone().flat_map(|i| (i..group.end).map(move |j| (i, j))))
+        self.groups.iter().flat_map(|group| {
+            group.iter().enumerate().flat_map(|(k, i)| group[k..].iter().map(move |j| (*i, *j)))
+        })
     }
 
-    /// Returns the vectors whose squares are necessary, with the eigenvalue of the first one.
+    /// Returns the vectors whose squares are necessary, with the row of the first one.
     pub(super) fn vectors<'a>(
         &'a self,
         vectors: &'a [DVector<f64>],
@@ -41,21 +63,28 @@ impl EigenvalueGroups {
         self.pairs().map(|(i, j)| (i, if i == j { vectors[i].clone() } else { &vectors[i] + &vectors[j] }))
     }
 
-    /// Computes the derivatives of the eigenvalues, and their errors, from those of the squares xᵀ (A − θ B) x and the squares xᵀ B x.
+    /// Computes the derivatives of the eigenvalues of all rows, and their errors, from those of the squares xᵀ (A − θ B) x and the
+    /// squares xᵀ B x.
     ///
-    /// Those of equal eigenvalues are the eigenvalues of the form of their vectors, in ascending order.
+    /// Those of equal eigenvalues are the eigenvalues of the form of their vectors, in the order of the magnitudes of the eigenvalues for
+    /// an increase of the parameter.
     pub(super) fn derivatives(&self, forms: &Derivatives, gram: &[f64]) -> Vec<[f64; 2]> {
-        let mut found = Vec::new();
+        let mut found = vec![[f64::NAN; 2]; self.numbers.len()];
         let mut at = 0;
         for group in &self.groups {
             let (count, first) = (group.len(), at);
             at += count * (count + 1) / 2;
             let of_group = |squares: &[f64]| polarised(&squares[first..at], count);
             let (form, gram) = (of_group(&forms.values), of_group(gram));
-            let error = forms.errors[first..at].iter().copied().fold(0.0, f64::max);
+            let error: f64 = forms.errors[first..at].iter().sum();
             let least = (0..count).map(|i| gram[(i, i)].abs()).fold(f64::INFINITY, f64::min);
-            let values = generalised_values(&form, &gram).unwrap_or_else(|| vec![f64::NAN; count]);
-            found.extend(values.into_iter().map(|value| [value, 2.0 * error / least]));
+            let Some(mut values) = generalised_values(&form, &gram) else { continue };
+            if self.is_negative[group[0]] {
+                values.reverse();
+            }
+            for (row, value) in group.iter().zip(values) {
+                found[*row] = [value, 2.0 * error / least];
+            }
         }
         found
     }
@@ -89,13 +118,29 @@ mod tests {
     /// Equal eigenvalues of a plane form with the directions of change not along the given vectors.
     #[test]
     fn equal_eigenvalues() {
-        let groups = EigenvalueGroups::new(&[1.0, 2.0, 2.0 + 1e-12, 3.0]);
-        assert_eq!(groups.groups, [0..1, 1..3, 3..4]);
+        let groups = EigenvalueGroups::new(&[1.0, 2.0, 2.0 + 1e-12, 3.0], 2);
+        assert_eq!(groups.groups, [vec![0], vec![1, 2]]);
+        assert_eq!((groups.requested, groups.is_cut), (2, false));
         // The form [2, 1; 1, 2] has the eigenvalues 1 and 3; the sum of both vectors has the square 6.
-        let values = vec![5.0, 2.0, 6.0, 2.0, -1.0];
-        let forms = Derivatives { others: values.clone(), values, errors: vec![0.0; 5] };
-        let found = groups.derivatives(&forms, &[1.0, 1.0, 2.0, 1.0, 1.0]);
-        let exact = [5.0, 1.0, 3.0, -1.0];
+        let values = vec![5.0, 2.0, 6.0, 2.0];
+        let forms = Derivatives { others: values.clone(), values, errors: vec![0.0; 4] };
+        let found = groups.derivatives(&forms, &[1.0, 1.0, 2.0, 1.0]);
+        found
+            .iter()
+            .zip([5.0, 1.0, 3.0])
+            .for_each(|([value, _], exact)| assert!((value - exact).abs() < 1e-14));
+    }
+
+    /// Eigenvalues of both signs are in groups of their own, also if they alternate. The last ones of a sign may have further equal ones.
+    #[test]
+    fn eigenvalues_of_both_signs() {
+        let groups = EigenvalueGroups::new(&[1.0, -1.0, 1.0, -1.0, 2.0, -3.0], 2);
+        assert_eq!(groups.groups, [vec![0, 2], vec![1, 3]]);
+        assert!(!groups.is_cut && EigenvalueGroups::new(&[1.0, -1.0, 1.0], 1).is_cut);
+        let values = vec![1.0, 1.0, 0.0, 4.0, 4.0, 0.0];
+        let forms = Derivatives { others: values.clone(), values, errors: vec![0.0; 6] };
+        let found = groups.derivatives(&forms, &[1.0, 2.0, 1.0, -1.0, -2.0, -1.0]);
+        let exact = [0.0, 0.0, 1.0, -4.0];
         found.iter().zip(exact).for_each(|([value, _], exact)| assert!((value - exact).abs() < 1e-14));
     }
 }

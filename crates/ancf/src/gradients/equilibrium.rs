@@ -96,6 +96,9 @@ impl<'a> AccurateEquilibrium<'a> {
     ) -> Result<Option<EquilibriumChange>, GradientError> {
         let size = self.state.q.len() + self.state.lambda.len();
         let fixed = extrapolated(&self.residuals(models, &vec![0.0; size]));
+        if fixed.values.iter().any(|x| !x.is_finite()) {
+            return Err(GradientError::failed(NOT_FINITE));
+        }
         let mut z = self.response(&fixed.values.iter().map(|r| -r).collect::<Vec<_>>())?;
         // The errors of the extrapolation and of the solution.
         let mut rest = self.product(&z);
@@ -165,6 +168,16 @@ impl<'a> AccurateEquilibrium<'a> {
         Some(ResidualDerivative { derivatives, is_rounding })
     }
 
+    /// Evaluates functions along a change of the equilibrium.
+    pub(super) fn pairs(
+        &self,
+        models: &VariedModels,
+        change: &EquilibriumChange,
+        mut of: impl FnMut(&Assembly, &State) -> Vec<f64>,
+    ) -> Vec<DifferencePair> {
+        models.pairs(|assembly, h| of(assembly, &moved(&self.state, &change.z, h)))
+    }
+
     /// Computes the derivatives of functions of the equilibrium and the model, given a number that changes.
     ///
     /// Errors contain that of the change of the equilibrium.
@@ -191,6 +204,8 @@ impl<'a> AccurateEquilibrium<'a> {
 
 /// Multiple of the bounds of rounding errors that residuals of neighbouring models may have.
 const ROUNDING: f64 = 16.0;
+
+const NOT_FINITE: &str = "the equations of a model with a changed number are not finite: a smaller size of its change may be possible";
 
 const SINGULAR: &str = "the stiffness of the equilibrium is singular, so its derivatives do not exist";
 

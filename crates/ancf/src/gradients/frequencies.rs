@@ -1,10 +1,10 @@
 use std::f64::consts::TAU;
-use std::ops::Range;
 
 use ancf_solver::eigen::{EigenError, modes};
 use ancf_solver::equations::{EquationsOfMotion, State, Weights};
 use ancf_solver::factor::Factor;
 use ancf_solver::newton::Interrupt;
+use ancf_solver::sparse::SparseMatrix;
 use nalgebra::DVector;
 
 use super::differences::Derivatives;
@@ -13,26 +13,26 @@ use crate::assembly::Assembly;
 use crate::failure::RunFailure;
 use crate::simulate::Kinks;
 
-/// Number of modes beyond the requested ones, which show whether the last ones have equal frequencies.
+/// Least number of modes beyond the requested ones, which show whether the last ones have equal frequencies.
 const FURTHER: usize = 2;
 /// Largest residual of a mode.
 const MAX_RESIDUAL: f64 = 1e-6;
 
 /// Vibrations about a state with their frequencies.
 pub(super) struct Frequencies {
-    /// Numbers of the modes from 0, ω² and shapes with their reactions, for ω² > 0.
+    /// Numbers of the modes from 0, ω² and shapes with their reactions, one for each row of the groups.
     numbers: Vec<usize>,
     squared: Vec<f64>,
     vectors: Vec<DVector<f64>>,
-    groups: EigenvalueGroups,
-    /// Number of modes whose derivatives are computed.
-    count: usize,
+    pub(super) groups: EigenvalueGroups,
+    /// Numbers of the requested modes with ω² < 0.
+    pub(super) unstable: usize,
     /// Number of coordinates.
     coordinates: usize,
 }
 
 impl Frequencies {
-    /// Computes modes about a state.
+    /// Computes modes about a state, with all modes of equal frequencies.
     ///
     /// # Errors
     /// If there are no undamped modes, or they are not accurate.
@@ -49,7 +49,18 @@ impl Frequencies {
         if !system.skew_stiffness(s).is_empty() {
             return Err(EigenError::Nonconservative.into());
         }
-        let found = modes(system, system.matrix(), s, count + FURTHER, interrupt)?.modes;
+        let mut further = FURTHER;
+        let (found, numbers, groups) = loop {
+            let found = modes(system, system.matrix(), s, count + further, interrupt)?.modes;
+            let is_vibration = |number: &usize| found[*number].omega_squared > 0.0;
+            let numbers: Vec<usize> = (0..found.len()).filter(is_vibration).collect();
+            let squared: Vec<f64> = numbers.iter().map(|number| found[*number].omega_squared).collect();
+            let groups = EigenvalueGroups::new(&squared, numbers.partition_point(|number| *number < count));
+            if !groups.is_cut || found.len() < count + further {
+                break (found, numbers, groups);
+            }
+            further *= 4;
+        };
         if found.iter().take(count).any(|mode| mode.residual > MAX_RESIDUAL) {
             return Err(EigenError::Unresolved.into());
         }
@@ -57,101 +68,102 @@ impl Frequencies {
         if found.iter().any(|mode| kinks.has_kink(&mode.shape)) {
             return Err(EigenError::NotDifferentiable.into());
         }
-        let vibrations: Vec<_> =
-            found.iter().enumerate().filter(|(_, mode)| mode.omega_squared > 0.0).collect();
-        let squared: Vec<f64> = vibrations.iter().map(|(_, mode)| mode.omega_squared).collect();
-        let mut groups = EigenvalueGroups::new(&squared);
-        let requested = vibrations.iter().filter(|(number, _)| *number < count).count();
-        groups.groups.retain(|group| group.start < requested);
-        let vectors =
-            vibrations.iter().map(|(_, mode)| with_reactions(assembly, s, &mode.shape, mode.omega_squared));
+        let numbers: Vec<usize> = groups.numbers.iter().map(|row| numbers[*row]).collect();
+        let vibrations = || numbers.iter().map(|number| &found[*number]);
+        let mut reactions = Reactions::new(assembly, s)?;
+        let vectors = vibrations().map(|mode| reactions.with_shape(&mode.shape, mode.omega_squared));
         Ok(Self {
-            numbers: vibrations.iter().map(|(number, _)| *number).collect(),
             vectors: vectors.collect::<Result<_, _>>()?,
-            squared,
+            squared: vibrations().map(|mode| mode.omega_squared).collect(),
             groups,
-            count: requested,
+            unstable: found.iter().take(count).filter(|mode| mode.omega_squared < 0.0).count(),
             coordinates: s.q.len(),
+            numbers,
         })
     }
 
-    /// Names of the quantities.
+    /// Names of the rows.
     pub(super) fn names(&self) -> Vec<String> {
-        self.numbers[..self.count].iter().map(|number| format!("frequency[{number}]")).collect()
+        self.numbers.iter().map(|number| format!("frequency[{number}]")).collect()
     }
 
-    /// Frequencies in solver units.
+    /// Frequencies of the rows in solver units.
     pub(super) fn values(&self) -> Vec<f64> {
-        self.squared[..self.count].iter().map(|squared| squared.sqrt() / TAU).collect()
-    }
-
-    /// Groups of equal results, by their rows.
-    pub(super) fn equal(&self) -> impl Iterator<Item = Range<usize>> + '_ {
-        self.groups
-            .groups
-            .iter()
-            .filter(|group| group.len() > 1)
-            .map(|group| group.start..group.end.min(self.count))
+        self.squared.iter().map(|squared| squared.sqrt() / TAU).collect()
     }
 
     /// Computes xᵀ (K − ω² M) x + 2 μᵀ Φ_q x of the shapes and reactions.
     pub(super) fn squares(&self, assembly: &Assembly, s: &State) -> Vec<f64> {
         let (system, mut matrix) = (&assembly.system, assembly.system.matrix());
-        let (modes, vectors): (Vec<_>, Vec<_>) = self.groups.vectors(&self.vectors).unzip();
+        let (rows, vectors): (Vec<_>, Vec<_>) = self.groups.vectors(&self.vectors).unzip();
         let elastic = system.stiffness_products(s, &vectors).squares;
         let mut last = None;
-        let terms = modes.into_iter().zip(vectors).zip(elastic);
-        let square = |((mode, z), elastic): ((usize, DVector<f64>), f64)| {
-            if last.replace(mode) != Some(mode) {
-                system.tangent(s, Weights { q: 0.0, v: 0.0, a: -self.squared[mode] }, &mut matrix);
+        let terms = rows.into_iter().zip(vectors).zip(elastic);
+        let square = |((row, z), elastic): ((usize, DVector<f64>), f64)| {
+            if last.replace(row) != Some(row) {
+                system.tangent(s, Weights { q: 0.0, v: 0.0, a: -self.squared[row] }, &mut matrix);
             }
             elastic + product(z.as_slice(), &matrix.times(z.as_slice()))
         };
         terms.map(square).collect()
     }
 
+    /// Returns the size of each square, as the parts xᵀ K x.
+    pub(super) fn sizes(&self) -> Vec<f64> {
+        self.groups.vectors(&self.vectors).map(|(row, _)| self.squared[row]).collect()
+    }
+
     /// Computes the derivatives of the frequencies, and their errors, from those of the squares.
     pub(super) fn derivatives(&self, forms: &Derivatives) -> Vec<[f64; 2]> {
         let unit: Vec<f64> =
-            self.groups.vectors(&self.vectors).map(|(mode, z)| self.square_of_unit(mode, &z)).collect();
+            self.groups.vectors(&self.vectors).map(|(row, z)| self.square_of_unit(row, &z)).collect();
         let found = self.groups.derivatives(forms, &unit);
         let of_frequency = |([value, error], squared): ([f64; 2], &f64)| {
             let factor = 1.0 / (2.0 * TAU * squared.sqrt());
             [value * factor, error * factor]
         };
-        found.into_iter().zip(&self.squared).map(of_frequency).take(self.count).collect()
+        found.into_iter().zip(&self.squared).map(of_frequency).collect()
     }
 
     /// Square xᵀ M x of a shape or of the sum of two orthogonal ones.
-    fn square_of_unit(&self, mode: usize, z: &DVector<f64>) -> f64 {
+    fn square_of_unit(&self, row: usize, z: &DVector<f64>) -> f64 {
         let n = self.coordinates;
-        if z.rows(0, n) == self.vectors[mode].rows(0, n) { 1.0 } else { 2.0 }
+        if z.rows(0, n) == self.vectors[row].rows(0, n) { 1.0 } else { 2.0 }
     }
 }
 
-/// Appends the reactions μ of a mode, K x + Φ_qᵀ μ = ω² M x, to its shape.
-fn with_reactions(
-    assembly: &Assembly,
-    s: &State,
-    shape: &[f64],
-    squared: f64,
-) -> Result<DVector<f64>, EigenError> {
-    let system = &assembly.system;
-    let n = shape.len();
-    let mut matrix = system.matrix();
-    let mut x = shape.to_vec();
-    x.resize(n + s.lambda.len(), 0.0);
-    system.tangent(s, Weights::MASS, &mut matrix);
-    let mut solution = matrix.times(&x);
-    solution[n..].fill(0.0);
-    // K + 2 ω² M is not singular for rigid motions.
-    solution.iter_mut().for_each(|force| *force *= 3.0 * squared);
-    system.tangent(s, Weights { q: 1.0, v: 0.0, a: 2.0 * squared }, &mut matrix);
-    let mut factor = Factor::new(matrix.pattern())?;
-    factor.factorise(&matrix)?;
-    factor.solve(&matrix, &mut solution)?;
-    x[n..].copy_from_slice(&solution[n..]);
-    Ok(DVector::from_vec(x))
+/// Solutions for the reactions of modes.
+struct Reactions<'a> {
+    assembly: &'a Assembly,
+    s: &'a State,
+    mass: SparseMatrix,
+    shifted: SparseMatrix,
+    factor: Factor,
+}
+
+impl<'a> Reactions<'a> {
+    fn new(assembly: &'a Assembly, s: &'a State) -> Result<Self, EigenError> {
+        let [mut mass, shifted] = [assembly.system.matrix(), assembly.system.matrix()];
+        assembly.system.tangent(s, Weights::MASS, &mut mass);
+        let factor = Factor::new(mass.pattern())?;
+        Ok(Self { assembly, s, mass, shifted, factor })
+    }
+
+    /// Appends the reactions μ of a mode, K x + Φ_qᵀ μ = ω² M x, to its shape.
+    fn with_shape(&mut self, shape: &[f64], squared: f64) -> Result<DVector<f64>, EigenError> {
+        let n = shape.len();
+        let mut x = shape.to_vec();
+        x.resize(self.mass.pattern().size(), 0.0);
+        let mut solution = self.mass.times(&x);
+        solution[n..].fill(0.0);
+        // K + 2 ω² M is not singular for rigid motions.
+        solution.iter_mut().for_each(|force| *force *= 3.0 * squared);
+        self.assembly.system.tangent(self.s, Weights { q: 1.0, v: 0.0, a: 2.0 * squared }, &mut self.shifted);
+        self.factor.factorise(&self.shifted)?;
+        self.factor.solve(&self.shifted, &mut solution)?;
+        x[n..].copy_from_slice(&solution[n..]);
+        Ok(DVector::from_vec(x))
+    }
 }
 
 fn product(x: &[f64], y: &[f64]) -> f64 {

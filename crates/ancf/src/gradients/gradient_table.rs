@@ -1,5 +1,3 @@
-use std::ops::Range;
-
 use nalgebra::DMatrix;
 
 use crate::errors::short;
@@ -44,20 +42,31 @@ impl Gradients {
         }
     }
 
+    /// Keeps the first results.
+    pub(super) fn truncate(&mut self, count: usize) {
+        let rows = self.quantities.len().saturating_sub(count);
+        self.quantities.truncate(count);
+        self.values.truncate(count);
+        self.dimensions.truncate(count);
+        for table in [&mut self.derivatives, &mut self.errors] {
+            *table = std::mem::take(table).remove_rows(count, rows);
+        }
+    }
+
     /// Warns of equal eigenvalues whose derivatives differ.
-    pub(super) fn warn_of_equal(&mut self, groups: impl Iterator<Item = Range<usize>>) {
+    pub(super) fn warn_of_equal<'a>(&mut self, groups: impl Iterator<Item = &'a [usize]>) {
         for group in groups {
             let spread = |column: usize| {
-                let of_group = || group.clone().map(|row| self.derivatives[(row, column)]);
+                let of_group = || group.iter().map(|&row| self.derivatives[(row, column)]);
                 let largest = of_group().map(f64::abs).fold(0.0, f64::max);
-                let first = self.derivatives[(group.start, column)];
+                let first = self.derivatives[(group[0], column)];
                 of_group().any(|x| (x - first).abs() > DIFFERENT * largest)
             };
             if (0..self.parameters.len()).any(spread) {
                 let names: Vec<String> =
-                    self.quantities[group].iter().map(|name| format!("`{name}`")).collect();
+                    group.iter().map(|&row| format!("`{}`", self.quantities[row])).collect();
                 self.warnings.push(format!(
-                    "{} are equal: each of their derivatives, in ascending order, holds for the increase of one parameter, and only \
+                    "{} are equal: their derivatives, in the order of the results for an increase, hold for the change of one parameter, and only \
                      the sums over these results hold for the change of several ones",
                     names.join(", ")
                 ));
@@ -74,12 +83,17 @@ impl Gradients {
             self.derivatives[(row, column)].abs().max(relative)
         };
         let largest = |of: usize| {
-            let equal = rows.clone().filter(|row| self.dimensions[*row] == self.dimensions[of]);
+            // Eigenvalues have no dimension here: each has its own size.
+            let is_equal = |row: &usize| {
+                *row == of || self.dimensions[of].is_some_and(|own| self.dimensions[*row] == Some(own))
+            };
+            let equal = rows.clone().filter(is_equal);
             equal.map(size).fold(0.0, f64::max)
         };
         let is_inaccurate = |row: &usize| {
             let (error, largest) = (self.errors[(*row, column)], largest(*row));
-            largest > 0.0 && (error.is_nan() || error > INACCURATE * largest)
+            let is_unknown = error.is_nan() || self.derivatives[(*row, column)].is_nan();
+            is_unknown || (largest > 0.0 && error > INACCURATE * largest)
         };
         let worst: Vec<usize> = rows.clone().filter(is_inaccurate).collect();
         let first = *worst.first()?;

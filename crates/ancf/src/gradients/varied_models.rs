@@ -5,7 +5,7 @@ use super::differences::DifferencePair;
 use super::error::GradientError;
 use super::parameter::ModelNumber;
 use crate::assembly::Assembly;
-use crate::errors::ModelErrors;
+use crate::errors::{ModelError, ModelErrors};
 use crate::units::Scales;
 
 /// Number of distances from the number, and the ratio of the next one.
@@ -39,6 +39,9 @@ impl VariedModels {
         for level in 0..LEVELS as i32 + INADMISSIBLE {
             // A change that the floating-point number resolves.
             let h = (number.value + number.largest * RATIO.powi(level)) - number.value;
+            if h == 0.0 {
+                break;
+            }
             match assembled(h).and_then(|after| Ok([after, assembled(-h)?])) {
                 Ok(pair) => levels.push((h, pair)),
                 Err(errors) => invalid = Some(errors),
@@ -48,7 +51,7 @@ impl VariedModels {
             }
         }
         if levels.len() < LEVELS {
-            return Err(invalid.map_or_else(|| GradientError::failed("no change is possible"), Into::into));
+            return Err(invalid.map_or_else(|| too_small(number), Into::into));
         }
         let size = |assembly: &Assembly| (assembly.system.coordinates(), assembly.system.multipliers());
         let is_other = |(_, pair): &(f64, [Assembly; 2])| pair.iter().any(|own| size(own) != size(given));
@@ -67,4 +70,9 @@ impl VariedModels {
         };
         self.levels.iter().map(&mut pair).collect()
     }
+}
+
+fn too_small(number: &ModelNumber) -> GradientError {
+    let found = format!("the size {:e} of its change, which the number does not resolve", number.largest);
+    ModelErrors(vec![ModelError::new(&number.path, found, "a larger size")]).into()
 }

@@ -9,7 +9,7 @@ mod finer_equilibria;
 mod run;
 
 pub(crate) use dynamics::{COLUMNS, energy_warnings};
-pub(crate) use eigen::Kinks;
+pub(crate) use eigen::{Kinks, NO_CRITICAL_LOAD};
 pub use error::Error;
 pub use execute::simulate;
 pub use run::{

@@ -15,7 +15,7 @@ use crate::units::Scales;
 const LARGE_FACTOR: f64 = 1e9;
 
 /// Warning of buckling without a result.
-const NO_CRITICAL_LOAD: &str = "there is no critical load factor: the loads do not soften the structure in this direction, beyond \
+pub(crate) const NO_CRITICAL_LOAD: &str = "there is no critical load factor: the loads do not soften the structure in this direction, beyond \
     rounding errors";
 
 /// Computes the critical loads of the unloaded state.

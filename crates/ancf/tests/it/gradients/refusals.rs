@@ -20,6 +20,9 @@ fn rejected_parameters() {
     assert!(message(&text, "gravity[2]").contains("0, to which changes have no proportion"));
     let sized = Parameter { path: "gravity[2]".into(), size: Some(0.1) };
     assert!(gradients(&parse(&text), &[sized], &Default::default()).is_ok());
+    let tiny = Parameter { path: "materials.m1.young".into(), size: Some(1e-300) };
+    let error = gradients(&parse(&text), &[tiny], &Default::default()).unwrap_err();
+    assert!(error.to_string().contains("which the number does not resolve"), "{error}");
     let motion = column(1, 2, SECTION, "[analysis]\nkind = \"dynamics\"\nduration = 1.0\nstep = 0.1\n");
     assert!(message(&motion, "materials.m1.young").contains("statics, modes or buckling"));
 }
@@ -55,7 +58,7 @@ fn kinks_of_forces() {
             "#
         )
     };
-    assert!(message(&text(0.02), "bodies.block.mass").contains("a force has a kink there"));
+    assert!(message(&text(0.02), "bodies.block.mass").contains("a stiffness has a kink there"));
     for (stop, stiffness) in [(0.021, 1000.0), (0.019, 4000.0)] {
         let found = super::gradients_of(&text(stop), &["bodies.block.mass"]);
         let derivative = super::derivative(&found, "block.z", "bodies.block.mass");

@@ -290,6 +290,7 @@ impl Differentiation<'_> {
     ) -> Result<(), GradientError> {
         let given = (&self.scales(), &self.simulation.assembly);
         for (column, number) in self.numbers.iter().enumerate() {
+            number.require_freedom(self.data)?;
             let (mut is_known, mut invalid) = (false, None);
             for reduction in REDUCTIONS {
                 if self.simulation.interrupt.is_set() {
@@ -297,10 +298,11 @@ impl Differentiation<'_> {
                 }
                 let models = match VariedModels::new(self.data, &number.reduced(reduction), given) {
                     Ok(models) => models,
-                    Err(error) => {
-                        invalid = Some(error);
+                    Err(GradientError::Model(errors)) if number.is_out_of_range(&errors) => {
+                        invalid = Some(GradientError::Model(errors));
                         continue;
                     }
+                    Err(error) => return Err(error),
                 };
                 let Some(derivatives) = of(&models)? else { continue };
                 found.improve(column, &derivatives, is_known);

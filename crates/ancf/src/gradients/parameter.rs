@@ -37,6 +37,8 @@ const EXCLUDED: [&str; 4] = ["analysis", "output", "scales", "inputs"];
 pub(super) struct ModelNumber {
     pub(super) path: String,
     pub(super) value: f64,
+    /// Complete paths of the number.
+    places: Vec<String>,
     /// Largest change.
     pub(super) largest: f64,
 }
@@ -74,7 +76,8 @@ impl ModelNumber {
             let expected = "a number other than 0, or the size of its change";
             ModelError::new(path, "0, to which changes have no proportion", expected)
         })?;
-        Ok(Self { path: path.clone(), value, largest })
+        let places = found.into_iter().map(|(place, _)| place).collect();
+        Ok(Self { path: path.clone(), value, places, largest })
     }
 
     /// Number with smaller changes.
@@ -91,6 +94,24 @@ impl ModelNumber {
         substitute(&mut data, &self.path, Value::Float(self.value + by))
             .map_err(|error| ModelErrors(vec![error]))?;
         Model::from_value(&data).map_err(|errors| self.of_changed(errors, by))
+    }
+
+    /// Rejects a number that cannot change by its usual part without a contradiction to other numbers, such as a gap in a joint.
+    ///
+    /// Smaller changes within the tolerance of gaps would have the effect of a misfit.
+    pub(super) fn require_freedom(&self, data: &Value) -> Result<(), ModelErrors> {
+        for sign in [1.0, -1.0] {
+            match self.varied(data, sign * LARGEST * self.value) {
+                Err(errors) if !self.is_out_of_range(&errors) => return Err(errors),
+                _ => {}
+            }
+        }
+        Ok(())
+    }
+
+    /// True if errors of a changed model are those of the range of the number.
+    pub(super) fn is_out_of_range(&self, errors: &ModelErrors) -> bool {
+        errors.iter().all(|error| self.places.contains(&error.path))
     }
 
     /// States the changed number in errors of the changed model.

@@ -44,7 +44,8 @@ impl VariedModels {
             }
             match assembled(h).and_then(|after| Ok([after, assembled(-h)?])) {
                 Ok(pair) => levels.push((h, pair)),
-                Err(errors) => invalid = Some(errors),
+                Err(errors) if number.is_out_of_range(&errors) => invalid = Some(errors),
+                Err(errors) => return Err(errors.into()),
             }
             if levels.len() == LEVELS {
                 break;

@@ -23,6 +23,15 @@ fn rejected_parameters() {
     let tiny = Parameter { path: "materials.m1.young".into(), size: Some(1e-300) };
     let error = gradients(&parse(&text), &[tiny], &Default::default()).unwrap_err();
     assert!(error.to_string().contains("which the number does not resolve"), "{error}");
+    // A gap in a joint is no change of the structure, and a number at its limit changes less.
+    let joined = column(2, 2, SECTION, "[analysis]\nkind = \"modes\"\ncount = 1\n");
+    for size in [None, Some(1e-9)] {
+        let end = Parameter { path: "bodies.b1.to[0]".into(), size };
+        let error = gradients(&parse(&joined), &[end], &Default::default()).unwrap_err().to_string();
+        assert!(error.contains("joints[1]") && error.contains("for its derivative"), "{error}");
+    }
+    let limit = joined.replace("young = 2.1e11", "young = 2.1e11, poisson = 0.4999");
+    assert!(gradients(&parse(&limit), &["materials.m1.poisson".into()], &Default::default()).is_ok());
     let motion = column(1, 2, SECTION, "[analysis]\nkind = \"dynamics\"\nduration = 1.0\nstep = 0.1\n");
     assert!(message(&motion, "materials.m1.young").contains("statics, modes or buckling"));
 }

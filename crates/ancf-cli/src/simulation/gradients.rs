@@ -8,7 +8,7 @@ use clap::Args;
 use serde::Serialize;
 
 use crate::terminal::{
-    Ended, count, interrupt, print, print_error, print_json, print_status, report_model_errors,
+    Ended, JsonErrors, count, interrupt, print, print_error, print_json, print_status, report_model_errors,
 };
 
 /// Arguments of `ancf gradients`.
@@ -61,7 +61,7 @@ impl GradientsArguments {
             Err(GradientError::Interrupted) => return Ok(Ended::Stopped),
             Err(error) => {
                 print_error(&format!("error: {error}"));
-                print_json(&crate::terminal::JsonErrors::from_message(error.to_string()));
+                print_json(&JsonErrors::from_message(error.to_string()));
                 return Ok(Ended::Failed);
             }
         };

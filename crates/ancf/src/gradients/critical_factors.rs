@@ -1,4 +1,4 @@
-use ancf_solver::eigen::{EigenError, LoadDirection, buckling, softening};
+use ancf_solver::eigen::{CriticalLoad, EigenError, LoadDirection, buckling, softening};
 use ancf_solver::equations::{EquationsOfMotion, State, Weights};
 use ancf_solver::factor::Factor;
 use ancf_solver::newton::Interrupt;
@@ -6,12 +6,10 @@ use ancf_solver::sparse::SparseMatrix;
 use nalgebra::DVector;
 
 use super::differences::Derivatives;
-use super::eigenvalue_groups::EigenvalueGroups;
+use super::eigenvalue_groups::{EigenvalueGroups, product, square, with_reactions};
 use crate::assembly::Assembly;
 use crate::failure::RunFailure;
 
-/// Least number of factors beyond the requested ones, which show whether the last ones are equal.
-const FURTHER: usize = 2;
 /// Largest residual of a buckling shape.
 const MAX_RESIDUAL: f64 = 1e-6;
 
@@ -37,16 +35,13 @@ impl CriticalFactors {
         interrupt: &Interrupt,
     ) -> Result<Self, RunFailure> {
         let system = &assembly.system;
-        let mut further = FURTHER;
-        let (found, groups) = loop {
-            let found = buckling(system, system.matrix(), s, count + further, sense, interrupt)?.loads;
+        let search =
+            |count| Ok::<_, EigenError>(buckling(system, system.matrix(), s, count, sense, interrupt)?.loads);
+        let group = |found: &[CriticalLoad]| {
             let factors: Vec<f64> = found.iter().map(|load| load.factor).collect();
-            let groups = EigenvalueGroups::new(&factors, count.min(factors.len()));
-            if !groups.is_cut || found.len() < count + further {
-                break (found, groups);
-            }
-            further *= 4;
+            EigenvalueGroups::new(&factors, count)
         };
+        let (found, groups) = EigenvalueGroups::complete(count, search, group)?;
         if found.iter().take(count).any(|load| load.residual > MAX_RESIDUAL) {
             return Err(EigenError::Unresolved.into());
         }
@@ -116,18 +111,7 @@ impl Parts {
 
     /// Appends the reactions μ of a shape, K x + Φ_qᵀ μ = s S x, to the shape.
     fn with_reactions(&mut self, shape: &[f64], factor: f64) -> Result<DVector<f64>, EigenError> {
-        let n = shape.len();
-        let mut z = shape.to_vec();
-        z.resize(self.stiffness.pattern().size(), 0.0);
-        let mut solution = self.softening.times(&z);
-        solution[n..].fill(0.0);
-        solution.iter_mut().for_each(|force| *force *= factor);
-        self.factor.solve(&self.stiffness, &mut solution)?;
-        z[n..].copy_from_slice(&solution[n..]);
-        Ok(DVector::from_vec(z))
+        let force = product(&self.softening, shape, factor);
+        with_reactions(shape, force, (&self.stiffness, &mut self.factor))
     }
-}
-
-fn square(matrix: &SparseMatrix, z: &DVector<f64>) -> f64 {
-    matrix.times(z.as_slice()).iter().zip(z).map(|(product, z)| product * z).sum()
 }

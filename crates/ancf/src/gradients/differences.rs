@@ -60,13 +60,13 @@ fn extrapolated_component(pairs: &[DifferencePair], i: usize) -> (f64, f64) {
     best
 }
 
-/// Returns the first function with a kink at zero: its one-sided slopes have different limits. `rounding` bounds the rounding errors of
-/// the functions.
+/// True if a function has a kink at zero: its one-sided slopes have different limits. `rounding` bounds the rounding errors of the
+/// functions.
 ///
 /// Second differences with the step h are then proportional to h, those of smooth functions to h², and those of rounding errors do not
 /// depend on h.
-pub(super) fn kink(pairs: &[DifferencePair], centre: &[f64], rounding: &[f64]) -> Option<usize> {
-    let smallest = pairs.last()?;
+pub(super) fn has_kink(pairs: &[DifferencePair], centre: &[f64], rounding: &[f64]) -> bool {
+    let Some(smallest) = pairs.last() else { return false };
     let second = |pair: &DifferencePair, i: usize| {
         let [after, before] = &pair.values;
         (after[i] - centre[i]) + (before[i] - centre[i])
@@ -78,7 +78,7 @@ pub(super) fn kink(pairs: &[DifferencePair], centre: &[f64], rounding: &[f64]) -
             found > ratio.sqrt() && found < ratio.sqrt().recip()
         })
     };
-    (0..centre.len()).find(|&i| {
+    (0..centre.len()).any(|i| {
         let slope = (smallest.values[0][i] - smallest.values[1][i]).abs();
         second(smallest, i).abs() > KINK * slope + 4.0 * rounding[i] && is_linear(i)
     })
@@ -104,7 +104,7 @@ mod tests {
             let deviation = (found.values[0] - exact).abs();
             assert!(deviation <= 1e-10 * exact.abs().max(1.0), "{deviation}");
             assert!(deviation <= 10.0 * found.errors[0] + 1e-13, "{deviation} for {}", found.errors[0]);
-            assert_eq!(kink(&pairs(f), &[f(0.0)], &[1e-14 * f(0.0).abs()]), None);
+            assert!(!has_kink(&pairs(f), &[f(0.0)], &[1e-14 * f(0.0).abs()]));
         };
         check(&|h| 3.0 * h, 3.0);
         check(&|h| (1.0 + h).powi(-3), -3.0);
@@ -116,9 +116,9 @@ mod tests {
     /// Kinks are found, jumps of curvature are none.
     #[test]
     fn kinks() {
-        let at_zero = |f: &dyn Fn(f64) -> f64| kink(&pairs(f), &[f(0.0)], &[1e-14 * f(0.0).abs()]);
-        assert_eq!(at_zero(&f64::abs), Some(0));
-        assert_eq!(at_zero(&|h| 5.0 + h + 0.1 * h.max(0.0)), Some(0));
-        assert_eq!(at_zero(&|h| h * h.abs() + h), None);
+        let at_zero = |f: &dyn Fn(f64) -> f64| has_kink(&pairs(f), &[f(0.0)], &[1e-14 * f(0.0).abs()]);
+        assert!(at_zero(&f64::abs));
+        assert!(at_zero(&|h| 5.0 + h + 0.1 * h.max(0.0)));
+        assert!(!at_zero(&|h| h * h.abs() + h));
     }
 }

@@ -6,7 +6,7 @@ use nalgebra::DMatrix;
 use toml::Value;
 
 use super::critical_factors::CriticalFactors;
-use super::differences::{Derivatives, DifferencePair, extrapolated, kink};
+use super::differences::{Derivatives, DifferencePair, extrapolated, has_kink};
 use super::equilibrium::AccurateEquilibrium;
 use super::error::GradientError;
 use super::frequencies::Frequencies;
@@ -176,7 +176,7 @@ impl Differentiation<'_> {
         }
         self.each(&mut found, |models| {
             let Some(change) = equilibrium.change(models)? else { return Ok(None) };
-            let Derivatives { values, errors, .. } =
+            let (_, Derivatives { values, errors, .. }) =
                 equilibrium.derivatives(models, &change, |assembly, s| kept(row(assembly, s)));
             Ok(Some(values.into_iter().zip(errors).map(|(value, error)| [value, error]).collect()))
         })?;
@@ -205,13 +205,12 @@ impl Differentiation<'_> {
                 .push(format!("{} of the modes are unstable and have no frequency", modes.unstable));
         }
         let squares = |assembly: &Assembly, s: &State| modes.squares(assembly, s);
-        let (centre, sizes) = (squares(assembly, &state), modes.sizes());
+        let (centre, rounding) = (squares(assembly, &state), rounding_of(modes.sizes()));
         self.each(&mut found, |models| {
             let (pairs, forms) = match &mut equilibrium {
                 Some(equilibrium) => {
                     let Some(change) = equilibrium.change(models)? else { return Ok(None) };
-                    let forms = equilibrium.derivatives(models, &change, squares);
-                    (equilibrium.pairs(models, &change, squares), forms)
+                    equilibrium.derivatives(models, &change, squares)
                 }
                 None => {
                     let pairs = unloaded_pairs(models, squares);
@@ -219,7 +218,7 @@ impl Differentiation<'_> {
                     (pairs, forms)
                 }
             };
-            if has_kink(&pairs, &centre, &sizes) {
+            if has_kink(&pairs, &centre, &rounding) {
                 return Ok(None);
             }
             Ok(Some(modes.derivatives(&forms).into_iter().map(|pair| pair.map(|x| x * rate)).collect()))
@@ -243,11 +242,11 @@ impl Differentiation<'_> {
         if factors.values().is_empty() {
             found.warnings.push(NO_CRITICAL_LOAD.to_owned());
         }
-        let (centre, sizes) = (factors.squares(assembly, &state), factors.sizes());
+        let (centre, rounding) = (factors.squares(assembly, &state), rounding_of(factors.sizes()));
         self.each(&mut found, |models| {
             let pairs = unloaded_pairs(models, |assembly, s| factors.squares(assembly, s));
             let forms = extrapolated(&pairs);
-            Ok((!has_kink(&pairs, &centre, &sizes)).then(|| factors.derivatives(&forms)))
+            Ok((!has_kink(&pairs, &centre, &rounding)).then(|| factors.derivatives(&forms)))
         })?;
         found.warn_of_equal(factors.groups.equal());
         found.truncate(factors.groups.requested);
@@ -354,8 +353,8 @@ fn unloaded_pairs(
 /// Rounding error of a square of an eigenvector, relative to its parts.
 const ROUNDING: f64 = 1e-9;
 
-/// True if the squares of eigenvectors have a kink. `sizes` are those of their parts.
-fn has_kink(pairs: &[DifferencePair], centre: &[f64], sizes: &[f64]) -> bool {
-    let rounding: Vec<f64> = sizes.iter().map(|size| ROUNDING * size).collect();
-    kink(pairs, centre, &rounding).is_some()
+/// Bounds the rounding errors of squares of eigenvectors by the sizes of their parts.
+fn rounding_of(mut sizes: Vec<f64>) -> Vec<f64> {
+    sizes.iter_mut().for_each(|size| *size *= ROUNDING);
+    sizes
 }

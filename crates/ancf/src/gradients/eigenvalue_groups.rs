@@ -1,11 +1,17 @@
 //! Derivatives of simple and of equal eigenvalues.
 
+use ancf_solver::eigen::EigenError;
+use ancf_solver::factor::Factor;
+use ancf_solver::sparse::SparseMatrix;
 use nalgebra::{Cholesky, DMatrix, DVector, SymmetricEigen};
 
 use super::differences::Derivatives;
 
 /// Relative difference of eigenvalues up to which they are equal.
 const EQUAL: f64 = 1e-6;
+
+/// Least number of eigenvalues beyond the requested ones, which show whether the last ones are equal.
+const FURTHER: usize = 2;
 
 /// Groups of equal eigenvalues θ of A x = θ B x, of which some are requested. Rows are the eigenvalues of these groups.
 pub(super) struct EigenvalueGroups {
@@ -16,7 +22,7 @@ pub(super) struct EigenvalueGroups {
     /// Number of requested rows, which are the first ones.
     pub(super) requested: usize,
     /// True if there may be further eigenvalues of a group.
-    pub(super) is_cut: bool,
+    is_cut: bool,
     is_negative: Vec<bool>,
 }
 
@@ -41,6 +47,23 @@ impl EigenvalueGroups {
         let groups = groups.iter().map(|group| group.iter().map(row).collect()).collect();
         let is_negative = numbers.iter().map(|number| values[*number] < 0.0).collect();
         Self { requested: requested.min(values.len()), numbers, groups, is_cut, is_negative }
+    }
+
+    /// Searches for `count` eigenvalues and all that are equal to them. `search` finds a number of them, `group` groups them.
+    pub(super) fn complete<T, E>(
+        count: usize,
+        mut search: impl FnMut(usize) -> Result<Vec<T>, E>,
+        group: impl Fn(&[T]) -> Self,
+    ) -> Result<(Vec<T>, Self), E> {
+        let mut further = FURTHER;
+        loop {
+            let found = search(count + further)?;
+            let groups = group(&found);
+            if !groups.is_cut || found.len() < count + further {
+                return Ok((found, groups));
+            }
+            further *= 4;
+        }
     }
 
     /// Rows of each group of several eigenvalues.
@@ -88,6 +111,32 @@ impl EigenvalueGroups {
         }
         found
     }
+}
+
+/// Appends the reactions μ in S x + Φ_qᵀ μ = f to a shape x, given S with its factors and the force f.
+pub(super) fn with_reactions(
+    shape: &[f64],
+    mut force: Vec<f64>,
+    (matrix, factor): (&SparseMatrix, &mut Factor),
+) -> Result<DVector<f64>, EigenError> {
+    force[shape.len()..].fill(0.0);
+    factor.solve(matrix, &mut force)?;
+    force[..shape.len()].copy_from_slice(shape);
+    Ok(DVector::from_vec(force))
+}
+
+/// Computes f A x over coordinates and multipliers for a shape x of coordinates.
+pub(super) fn product(matrix: &SparseMatrix, shape: &[f64], factor: f64) -> Vec<f64> {
+    let mut x = shape.to_vec();
+    x.resize(matrix.pattern().size(), 0.0);
+    let mut product = matrix.times(&x);
+    product.iter_mut().for_each(|entry| *entry *= factor);
+    product
+}
+
+/// Computes zᵀ A z over coordinates and multipliers.
+pub(super) fn square(matrix: &SparseMatrix, z: &DVector<f64>) -> f64 {
+    matrix.times(z.as_slice()).iter().zip(z).map(|(product, z)| product * z).sum()
 }
 
 /// Symmetric matrix with the given squares of the sums of vectors.

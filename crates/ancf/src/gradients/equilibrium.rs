@@ -1,9 +1,9 @@
 use ancf_solver::equations::{EquationsOfMotion, State, Weights};
-use ancf_solver::factor::{Factor, add_skew_product};
+use ancf_solver::factor::{Factor, SingularMatrix, add_skew_product};
 use ancf_solver::sparse::SparseMatrix;
 use ancf_solver::statics::stiffness_solution;
 
-use super::differences::{Derivatives, DifferencePair, extrapolated, kink};
+use super::differences::{Derivatives, DifferencePair, extrapolated, has_kink};
 use super::error::GradientError;
 use super::varied_models::VariedModels;
 use crate::assembly::Assembly;
@@ -50,7 +50,7 @@ impl<'a> AccurateEquilibrium<'a> {
         own.factorise().map_err(singular)?;
         let mut last = f64::INFINITY;
         for _ in 0..CORRECTIONS {
-            let correction = own.response(&own.residual(assembly, &own.state))?;
+            let correction = own.response(&residual(assembly, &own.state))?;
             let size = largest(&correction);
             if size >= PROGRESS * last || size == 0.0 {
                 break;
@@ -62,15 +62,9 @@ impl<'a> AccurateEquilibrium<'a> {
         Ok(own)
     }
 
-    fn factorise(&mut self) -> Result<(), ancf_solver::factor::SingularMatrix> {
+    fn factorise(&mut self) -> Result<(), SingularMatrix> {
         self.assembly.system.tangent(&self.state, Weights::STIFFNESS, &mut self.matrix);
         self.factor.factorise(&self.matrix)
-    }
-
-    fn residual(&self, of: &Assembly, s: &State) -> Vec<f64> {
-        let mut residual = vec![0.0; s.q.len() + s.lambda.len()];
-        of.system.residual(s, &mut residual);
-        residual
     }
 
     /// Solves K z = f.
@@ -94,8 +88,7 @@ impl<'a> AccurateEquilibrium<'a> {
         &mut self,
         models: &VariedModels,
     ) -> Result<Option<EquilibriumChange>, GradientError> {
-        let size = self.state.q.len() + self.state.lambda.len();
-        let fixed = extrapolated(&self.residuals(models, &vec![0.0; size]));
+        let fixed = extrapolated(&models.pairs(|assembly, _| residual(assembly, &self.state)));
         if fixed.values.iter().any(|x| !x.is_finite()) {
             return Err(GradientError::failed(NOT_FINITE));
         }
@@ -130,11 +123,6 @@ impl<'a> AccurateEquilibrium<'a> {
         product
     }
 
-    /// Residuals of changed models in the states x + h z.
-    fn residuals(&self, models: &VariedModels, z: &[f64]) -> Vec<DifferencePair> {
-        models.pairs(|assembly, h| self.residual(assembly, &moved(&self.state, z, h)))
-    }
-
     /// Bounds the effect of the rounding errors of the coordinates on the residual, of their largest one on the constraints.
     fn rounding_of_coordinates(&self) -> Vec<f64> {
         let State { q, lambda, .. } = &self.state;
@@ -149,14 +137,13 @@ impl<'a> AccurateEquilibrium<'a> {
     /// Computes the derivative of the residual along the change of the equilibrium; `None` at a kink.
     fn derivative_along(&self, models: &VariedModels, z: &[f64]) -> Option<ResidualDerivative> {
         let mut rounding = self.rounding_of_coordinates();
-        models.pairs(|assembly, h| {
-            let mut own = vec![0.0; z.len()];
-            assembly.system.rounding(&moved(&self.state, z, h), &mut own);
+        let pairs = models.pairs(|assembly, h| {
+            let (there, mut own) = (moved(&self.state, z, h), vec![0.0; z.len()]);
+            assembly.system.rounding(&there, &mut own);
             rounding.iter_mut().zip(own).for_each(|(bound, own)| *bound = f64::max(*bound, ROUNDING * own));
-            Vec::new()
+            residual(assembly, &there)
         });
-        let (centre, pairs) = (self.residual(self.assembly, &self.state), self.residuals(models, z));
-        if kink(&pairs, &centre, &rounding).is_some() {
+        if has_kink(&pairs, &residual(self.assembly, &self.state), &rounding) {
             return None;
         }
         let derivatives = extrapolated(&pairs);
@@ -168,37 +155,26 @@ impl<'a> AccurateEquilibrium<'a> {
         Some(ResidualDerivative { derivatives, is_rounding })
     }
 
-    /// Evaluates functions along a change of the equilibrium.
-    pub(super) fn pairs(
-        &self,
-        models: &VariedModels,
-        change: &EquilibriumChange,
-        mut of: impl FnMut(&Assembly, &State) -> Vec<f64>,
-    ) -> Vec<DifferencePair> {
-        models.pairs(|assembly, h| of(assembly, &moved(&self.state, &change.z, h)))
-    }
-
-    /// Computes the derivatives of functions of the equilibrium and the model, given a number that changes.
+    /// Computes the derivatives of functions of the equilibrium and the model, given a number that changes, from their values along z.
     ///
     /// Errors contain that of the change of the equilibrium.
     pub(super) fn derivatives(
         &self,
         models: &VariedModels,
-        change: &EquilibriumChange,
+        EquilibriumChange { z, deviation }: &EquilibriumChange,
         mut of: impl FnMut(&Assembly, &State) -> Vec<f64>,
-    ) -> Derivatives {
-        let EquilibriumChange { z, deviation } = change;
-        let mut along =
-            |z: &[f64]| extrapolated(&models.pairs(|assembly, h| of(assembly, &moved(&self.state, z, h))));
-        let mut found = along(z);
+    ) -> (Vec<DifferencePair>, Derivatives) {
+        let mut along = |z: &[f64]| models.pairs(|assembly, h| of(assembly, &moved(&self.state, z, h)));
+        let pairs = along(z);
+        let mut found = extrapolated(&pairs);
         if deviation.iter().any(|x| *x != 0.0) {
             let deviating: Vec<f64> = z.iter().zip(deviation).map(|(z, deviation)| z - deviation).collect();
-            let other = along(&deviating).values;
+            let other = extrapolated(&along(&deviating)).values;
             for ((error, value), other) in found.errors.iter_mut().zip(&found.values).zip(other) {
                 *error += (value - other).abs();
             }
         }
-        found
+        (pairs, found)
     }
 }
 
@@ -208,6 +184,12 @@ const ROUNDING: f64 = 16.0;
 const NOT_FINITE: &str = "the equations of a model with a changed number are not finite: a smaller size of its change may be possible";
 
 const SINGULAR: &str = "the stiffness of the equilibrium is singular, so its derivatives do not exist";
+
+fn residual(of: &Assembly, s: &State) -> Vec<f64> {
+    let mut residual = vec![0.0; s.q.len() + s.lambda.len()];
+    of.system.residual(s, &mut residual);
+    residual
+}
 
 fn largest(x: &[f64]) -> f64 {
     x.iter().fold(0.0, |largest, x| x.abs().max(largest))

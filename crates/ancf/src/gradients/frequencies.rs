@@ -1,6 +1,6 @@
 use std::f64::consts::TAU;
 
-use ancf_solver::eigen::{EigenError, modes};
+use ancf_solver::eigen::{EigenError, Mode, modes};
 use ancf_solver::equations::{EquationsOfMotion, State, Weights};
 use ancf_solver::factor::Factor;
 use ancf_solver::newton::Interrupt;
@@ -8,13 +8,11 @@ use ancf_solver::sparse::SparseMatrix;
 use nalgebra::DVector;
 
 use super::differences::Derivatives;
-use super::eigenvalue_groups::EigenvalueGroups;
+use super::eigenvalue_groups::{EigenvalueGroups, product, square, with_reactions};
 use crate::assembly::Assembly;
 use crate::failure::RunFailure;
 use crate::simulate::Kinks;
 
-/// Least number of modes beyond the requested ones, which show whether the last ones have equal frequencies.
-const FURTHER: usize = 2;
 /// Largest residual of a mode.
 const MAX_RESIDUAL: f64 = 1e-6;
 
@@ -49,18 +47,16 @@ impl Frequencies {
         if !system.skew_stiffness(s).is_empty() {
             return Err(EigenError::Nonconservative.into());
         }
-        let mut further = FURTHER;
-        let (found, numbers, groups) = loop {
-            let found = modes(system, system.matrix(), s, count + further, interrupt)?.modes;
-            let is_vibration = |number: &usize| found[*number].omega_squared > 0.0;
-            let numbers: Vec<usize> = (0..found.len()).filter(is_vibration).collect();
-            let squared: Vec<f64> = numbers.iter().map(|number| found[*number].omega_squared).collect();
-            let groups = EigenvalueGroups::new(&squared, numbers.partition_point(|number| *number < count));
-            if !groups.is_cut || found.len() < count + further {
-                break (found, numbers, groups);
-            }
-            further *= 4;
+        let search = |count| Ok::<_, EigenError>(modes(system, system.matrix(), s, count, interrupt)?.modes);
+        let vibrations = |found: &[Mode]| -> Vec<usize> {
+            (0..found.len()).filter(|&number| found[number].omega_squared > 0.0).collect()
         };
+        let group = |found: &[Mode]| {
+            let numbers = vibrations(found);
+            let squared: Vec<f64> = numbers.iter().map(|&number| found[number].omega_squared).collect();
+            EigenvalueGroups::new(&squared, numbers.partition_point(|number| *number < count))
+        };
+        let (found, groups) = EigenvalueGroups::complete(count, search, group)?;
         if found.iter().take(count).any(|mode| mode.residual > MAX_RESIDUAL) {
             return Err(EigenError::Unresolved.into());
         }
@@ -68,13 +64,14 @@ impl Frequencies {
         if found.iter().any(|mode| kinks.has_kink(&mode.shape)) {
             return Err(EigenError::NotDifferentiable.into());
         }
-        let numbers: Vec<usize> = groups.numbers.iter().map(|row| numbers[*row]).collect();
-        let vibrations = || numbers.iter().map(|number| &found[*number]);
+        let vibrations = vibrations(&found);
+        let numbers: Vec<usize> = groups.numbers.iter().map(|place| vibrations[*place]).collect();
+        let rows = || numbers.iter().map(|number| &found[*number]);
         let mut reactions = Reactions::new(assembly, s)?;
-        let vectors = vibrations().map(|mode| reactions.with_shape(&mode.shape, mode.omega_squared));
+        let vectors = rows().map(|mode| reactions.with_shape(&mode.shape, mode.omega_squared));
         Ok(Self {
             vectors: vectors.collect::<Result<_, _>>()?,
-            squared: vibrations().map(|mode| mode.omega_squared).collect(),
+            squared: rows().map(|mode| mode.omega_squared).collect(),
             groups,
             unstable: found.iter().take(count).filter(|mode| mode.omega_squared < 0.0).count(),
             coordinates: s.q.len(),
@@ -99,13 +96,13 @@ impl Frequencies {
         let elastic = system.stiffness_products(s, &vectors).squares;
         let mut last = None;
         let terms = rows.into_iter().zip(vectors).zip(elastic);
-        let square = |((row, z), elastic): ((usize, DVector<f64>), f64)| {
+        let form = |((row, z), elastic): ((usize, DVector<f64>), f64)| {
             if last.replace(row) != Some(row) {
                 system.tangent(s, Weights { q: 0.0, v: 0.0, a: -self.squared[row] }, &mut matrix);
             }
-            elastic + product(z.as_slice(), &matrix.times(z.as_slice()))
+            elastic + square(&matrix, &z)
         };
-        terms.map(square).collect()
+        terms.map(form).collect()
     }
 
     /// Returns the size of each square, as the parts xᵀ K x.
@@ -151,21 +148,11 @@ impl<'a> Reactions<'a> {
 
     /// Appends the reactions μ of a mode, K x + Φ_qᵀ μ = ω² M x, to its shape.
     fn with_shape(&mut self, shape: &[f64], squared: f64) -> Result<DVector<f64>, EigenError> {
-        let n = shape.len();
-        let mut x = shape.to_vec();
-        x.resize(self.mass.pattern().size(), 0.0);
-        let mut solution = self.mass.times(&x);
-        solution[n..].fill(0.0);
         // K + 2 ω² M is not singular for rigid motions.
-        solution.iter_mut().for_each(|force| *force *= 3.0 * squared);
-        self.assembly.system.tangent(self.s, Weights { q: 1.0, v: 0.0, a: 2.0 * squared }, &mut self.shifted);
+        let force = product(&self.mass, shape, 3.0 * squared);
+        let weights = Weights { q: 1.0, v: 0.0, a: 2.0 * squared };
+        self.assembly.system.tangent(self.s, weights, &mut self.shifted);
         self.factor.factorise(&self.shifted)?;
-        self.factor.solve(&self.shifted, &mut solution)?;
-        x[n..].copy_from_slice(&solution[n..]);
-        Ok(DVector::from_vec(x))
+        with_reactions(shape, force, (&self.shifted, &mut self.factor))
     }
-}
-
-fn product(x: &[f64], y: &[f64]) -> f64 {
-    x.iter().zip(y).map(|(x, y)| x * y).sum()
 }
